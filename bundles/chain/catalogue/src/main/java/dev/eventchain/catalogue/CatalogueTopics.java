@@ -72,7 +72,7 @@ final class CatalogueTopics {
       CatalogueSignal signal, String first, String message, Signal.Direction direction) {
     String type = signal.type().orElseThrow();
     List<String> texts = type.equals("string") ? signal.allowed() : List.of();
-    Signal.Values values = new Signal.Values(signal.least(), signal.most(), texts);
+    Signal.Values values = new Signal.Values(signal.least(), signal.most(), texts, signal.names());
     Signal.Field field = new Signal.Field(FIELD, type, signal.unit(), values, signal.location());
     return new Signal(
         "/" + first + "/" + signal.path().replace('.', '/'),

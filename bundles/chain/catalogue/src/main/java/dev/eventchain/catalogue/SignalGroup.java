@@ -45,6 +45,7 @@ public record SignalGroup(String path, List<CatalogueSignal> signals) {
         signal.least(),
         signal.most(),
         signal.allowed(),
+        signal.names(),
         signal.description(),
         signal.groups());
   }

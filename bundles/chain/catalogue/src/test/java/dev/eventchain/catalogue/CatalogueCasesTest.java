@@ -98,8 +98,13 @@ class CatalogueCasesTest {
         read.topics(List.of(signal)).stream()
             .map(it -> "  %s %s %s%n".formatted(it.topic(), it.messageType(), it.direction()))
             .collect(Collectors.joining());
+    String names =
+        signal.names().stream()
+            .map(it -> "  %s is %s%n".formatted(it.number(), it.name()))
+            .collect(Collectors.joining());
     return "%s %s [%s] %s%n"
             .formatted(signal.path(), signal.role(), signal.unit(), signal.meaning())
+        + names
         + topics;
   }
 }

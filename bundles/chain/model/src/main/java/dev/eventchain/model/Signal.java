@@ -59,16 +59,29 @@ public record Signal(
    * @param least the least number
    * @param most the greatest number
    * @param texts the only texts; empty if all
+   * @param names the names of numbers, in the order of the catalogue; a name may stand for several
    */
-  public record Values(OptionalDouble least, OptionalDouble most, List<String> texts) {
+  public record Values(
+      OptionalDouble least, OptionalDouble most, List<String> texts, List<NamedNumber> names) {
 
     /** All values that the type has. */
     public static final Values ANY =
         new Values(OptionalDouble.empty(), OptionalDouble.empty(), List.of());
 
-    /** Copies the list. */
+    /** Copies the lists. */
     public Values {
       texts = List.copyOf(texts);
+      names = List.copyOf(names);
+    }
+
+    /** Creates values without names. */
+    public Values(OptionalDouble least, OptionalDouble most, List<String> texts) {
+      this(least, most, texts, List.of());
+    }
+
+    /** Returns whether there are numbers or texts that are none of them. */
+    public boolean isLimited() {
+      return least.isPresent() || most.isPresent() || !texts.isEmpty();
     }
 
     /** Returns whether a number or a text is one of them; other values are not judged. */
@@ -85,6 +98,9 @@ public record Signal(
       return !(value instanceof String) || texts.isEmpty() || texts.contains(value);
     }
   }
+
+  /** A number with a name, such as 3 for "Reverse". */
+  public record NamedNumber(String name, double number) {}
 
   /** Copies the list. */
   public Signal {

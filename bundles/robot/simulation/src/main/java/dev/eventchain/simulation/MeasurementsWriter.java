@@ -129,10 +129,25 @@ final class MeasurementsWriter {
       json.writeStringField("name", curve.name());
       json.writeStringField("unit", curve.unit());
       column("values", curve.values());
+      names(curve.names());
       json.writeEndObject();
     }
     json.writeEndArray();
     json.writeEndObject();
+  }
+
+  private void names(List<ScenarioVerdict.Curve.Name> names) throws IOException {
+    if (names.isEmpty()) {
+      return;
+    }
+    json.writeArrayFieldStart("names");
+    for (ScenarioVerdict.Curve.Name each : names) {
+      json.writeStartObject();
+      field("value", each.value());
+      json.writeStringField("name", each.name());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
   }
 
   private void column(String name, List<Double> values) throws IOException {

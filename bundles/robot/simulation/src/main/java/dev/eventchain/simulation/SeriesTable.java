@@ -25,11 +25,15 @@ final class SeriesTable {
       cells.add(MeasurementsTable.number(series.time().get(i)));
       for (Curve curve : series.curves()) {
         boolean has = i < curve.values().size();
-        cells.add(has ? MeasurementsTable.number(curve.values().get(i)) : "");
+        cells.add(has ? cell(curve, curve.values().get(i)) : "");
       }
       table.row(cells);
     }
     return table.bytes();
+  }
+
+  private static String cell(Curve curve, double value) {
+    return curve.nameOf(value).orElseGet(() -> MeasurementsTable.number(value));
   }
 
   private static String heading(Curve curve) {

@@ -6,6 +6,7 @@ import dev.eventchain.catalogue.signal.CatalogueSignal.Role;
 import dev.eventchain.catalogue.signal.CatalogueUnits;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.Signal.NamedNumber;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -85,6 +86,7 @@ final class DbcSignals {
         truth ? OptionalDouble.empty() : values.least(),
         truth ? OptionalDouble.empty() : values.most(),
         List.of(),
+        names(signal, values),
         description(message, signal, values),
         message.comment().isBlank() ? List.of() : List.of(message.comment()),
         signal.place());
@@ -117,6 +119,19 @@ final class DbcSignals {
       sentences.add("Sent every " + network.cycle(message) + " ms.");
     }
     return String.join(" ", sentences);
+  }
+
+  /** Returns the names of physical values, without those of numbers that its bits do not hold. */
+  private static List<NamedNumber> names(DbcSignal signal, DbcValues values) {
+    return signal.texts().entrySet().stream()
+        .map(
+            it ->
+                new NamedNumber(it.getValue(), signal.layout().physical(it.getKey()).doubleValue()))
+        .filter(
+            it ->
+                it.number() >= values.least().orElse(Double.NEGATIVE_INFINITY)
+                    && it.number() <= values.most().orElse(Double.POSITIVE_INFINITY))
+        .toList();
   }
 
   /** Returns the meanings of values, and apart from them those outside the stated range. */

@@ -154,6 +154,7 @@ final class IdlModules {
             read.least,
             read.most,
             allowed,
+            List.of(),
             read.facts.getOrDefault("description", ""),
             List.of(),
             read.place));

@@ -1,6 +1,7 @@
 package dev.eventchain.catalogue.signal;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.Signal.NamedNumber;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -16,6 +17,7 @@ import java.util.OptionalDouble;
  * @param least the least value that it may have
  * @param most the greatest value that it may have
  * @param allowed the only values that it may have, as texts; empty if all
+ * @param names the names of numbers, in the unit of the signal
  * @param description what it means; may be empty
  * @param groups what the groups that it is in mean, outermost first, as far as they say so
  * @param location the location of its description
@@ -28,6 +30,7 @@ public record CatalogueSignal(
     OptionalDouble least,
     OptionalDouble most,
     List<String> allowed,
+    List<NamedNumber> names,
     String description,
     List<String> groups,
     SourceLocation location) {
@@ -47,6 +50,7 @@ public record CatalogueSignal(
   /** Copies the lists. */
   public CatalogueSignal {
     allowed = List.copyOf(allowed);
+    names = List.copyOf(names);
     groups = List.copyOf(groups);
   }
 

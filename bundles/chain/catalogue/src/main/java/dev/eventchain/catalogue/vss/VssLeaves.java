@@ -162,6 +162,7 @@ final class VssLeaves {
             least,
             most,
             allowed(node),
+            List.of(),
             node.text(DESCRIPTION),
             groups,
             node.location()));

@@ -17,6 +17,7 @@ import dev.eventchain.pipeline.campaign.plan.FactorPaths;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.project.ValueNames;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -82,6 +83,11 @@ final class ProjectFiles {
             chain ->
                 TopicIndex.of(chain).topics().forEach(each -> found.putIfAbsent(each.name(), "")));
     return found;
+  }
+
+  /** Returns the names of the values of a topic's field; none if it has none. */
+  List<String> valueNames(String topic, String path) {
+    return known(() -> ValueNames.of(folder).of(topic, path)).orElse(List.of());
   }
 
   /** Returns the scenarios, with their titles. */

@@ -136,6 +136,10 @@ final class ProjectText implements Analysis {
   @Override
   public List<Completion> completions(TextPosition position) {
     int offset = lines.offset(position);
+    List<Completion> names = formulas().map(each -> each.at(offset)).orElse(List.of());
+    if (!names.isEmpty()) {
+      return names;
+    }
     List<Completion> found = yaml().map(each -> each.at(offset)).orElse(List.of());
     return found.isEmpty() ? requirements(offset) : found;
   }
@@ -146,6 +150,15 @@ final class ProjectText implements Analysis {
         .map(
             kind ->
                 new YamlCompletion(kind, schemas.of(kind), new ProjectNames(project, file), text));
+  }
+
+  /** Returns what is known of names in formulas, which scenarios and campaigns have. */
+  private Optional<FormulaNames> formulas() {
+    return project
+        .kind(file, text)
+        .filter(
+            kind -> kind == ProjectSchemas.Kind.SCENARIO || kind == ProjectSchemas.Kind.CAMPAIGN)
+        .map(kind -> new FormulaNames(project, text));
   }
 
   /** Proposes requirements where the words of a line ask for some. */
@@ -175,6 +188,7 @@ final class ProjectText implements Analysis {
   public Optional<Hover> hover(TextPosition position) {
     return named(position)
         .map(named -> new Hover(description(named.requirement()), named.range()))
+        .or(() -> formulas().flatMap(each -> each.described(lines.offset(position))))
         .or(() -> yaml().flatMap(each -> each.described(lines.offset(position))));
   }
 

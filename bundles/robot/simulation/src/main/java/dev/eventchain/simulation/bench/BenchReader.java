@@ -82,7 +82,8 @@ public final class BenchReader {
   }
 
   private Bench bench(SourceLocation location) {
-    BenchSignals signals = new BenchSignals(inputs, topics(), catalog, Optional.empty());
+    FieldNames names = new FieldNames(declared, catalog);
+    BenchSignals signals = new BenchSignals(inputs, topics(), catalog, names, Optional.empty());
     return new Bench(provided, consumed, own, signals, declared, vehicle, location);
   }
 

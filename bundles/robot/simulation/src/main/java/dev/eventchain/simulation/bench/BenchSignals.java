@@ -5,6 +5,7 @@ import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.simulation.formula.NamedValues;
 import dev.eventchain.simulation.formula.Range;
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.formula.WorldSignals;
@@ -38,22 +39,26 @@ public final class BenchSignals implements Signal.Source {
   private final Map<String, Signal> inputs;
   private final Map<String, Topic> topics;
   private final MessageCatalog catalog;
+  private final FieldNames names;
   private final Optional<OutputRoles> roles;
 
   BenchSignals(
       Map<String, Signal> inputs,
       Map<String, Topic> topics,
       MessageCatalog catalog,
+      FieldNames names,
       Optional<OutputRoles> roles) {
     this.inputs = new LinkedHashMap<>(inputs);
     this.topics = new LinkedHashMap<>(topics);
     this.catalog = catalog;
+    this.names = names;
     this.roles = roles;
   }
 
   /** Returns these signals with the outputs of a chain by their requirements. */
   BenchSignals withOutputsOf(EventChain chain) {
-    return new BenchSignals(inputs, topics, catalog, Optional.of(new OutputRoles(chain, catalog)));
+    OutputRoles outputs = new OutputRoles(chain, catalog, names);
+    return new BenchSignals(inputs, topics, catalog, names, Optional.of(outputs));
   }
 
   /** Returns the definitions of the topics' types. */
@@ -137,8 +142,21 @@ public final class BenchSignals implements Signal.Source {
     String path = name.substring(name.indexOf('.') + 1);
     Optional<MessageType> type = catalog.find(topic.type());
     return type.flatMap(known -> known.resolve(path).type())
-        .filter(BenchSignals::isNumberOrTruth)
-        .map(field -> signal(topic, path, field.kind() == FieldType.Kind.BOOL));
+        .flatMap(field -> readable(topic, path, field, names));
+  }
+
+  /** Returns the signal of a field that is a single number or Boolean, or one of known texts. */
+  static Optional<Signal> readable(Topic topic, String path, FieldType field, FieldNames names) {
+    NamedValues named = names.of(topic.name(), topic.type(), path);
+    boolean isText = field.kind() == FieldType.Kind.STRING && named.isText() && !named.isEmpty();
+    return isNumberOrTruth(field) || (isText && field.shape() == FieldType.Shape.SINGLE)
+        ? Optional.of(signal(topic, path, field.kind() == FieldType.Kind.BOOL).withNames(named))
+        : Optional.empty();
+  }
+
+  /** Returns the names of the values of a topic's field. */
+  public NamedValues named(String topic, String type, String path) {
+    return names.of(topic, type, path);
   }
 
   /** Returns the values that a field of a topic can have, in coherent units: those of its type. */

@@ -82,7 +82,7 @@ final class DeclaredSignals {
   List<dev.eventchain.model.Signal.Field> limited(String topic) {
     return find(topic).stream()
         .flatMap(signal -> signal.fields().stream())
-        .filter(field -> !field.values().equals(Values.ANY))
+        .filter(field -> field.values().isLimited())
         .toList();
   }
 

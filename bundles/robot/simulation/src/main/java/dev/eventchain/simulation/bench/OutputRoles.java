@@ -1,6 +1,5 @@
 package dev.eventchain.simulation.bench;
 
-import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.model.TopicIndex;
@@ -21,17 +20,19 @@ import java.util.function.Predicate;
 /**
  * The outputs of a chain by the requirements that they satisfy, so that a formula can read an
  * output whatever topic a design has chosen for it. Only single numbers and Booleans count, and no
- * time stamps.
+ * time stamps; where there is none of them, texts of which a catalogue knows all count.
  */
 final class OutputRoles {
 
   private final EventChain chain;
   private final MessageCatalog catalog;
+  private final FieldNames names;
   private final Map<String, Topic> topics = new LinkedHashMap<>();
 
-  OutputRoles(EventChain chain, MessageCatalog catalog) {
+  OutputRoles(EventChain chain, MessageCatalog catalog, FieldNames names) {
     this.chain = chain;
     this.catalog = catalog;
+    this.names = names;
     for (SoftwareNode node : chain.getSoftware()) {
       node.getOutput().forEach(data -> add(node, data));
     }
@@ -86,12 +87,17 @@ final class OutputRoles {
             .forEach(signal -> found.putIfAbsent(signal.name(), signal));
       }
     }
-    return new ArrayList<>(found.values());
+    List<Signal> all = new ArrayList<>(found.values());
+    List<Signal> quantities = all.stream().filter(it -> !it.named().isText()).toList();
+    return quantities.isEmpty() ? all : quantities;
   }
 
   private static boolean isOf(Optional<String> kind, Signal signal) {
     if (kind.isEmpty() || signal.truth()) {
       return kind.isEmpty() || kind.get().equals("bool");
+    }
+    if (signal.named().isText()) {
+      return false;
     }
     return Unit.parse(kind.get()).filter(it -> areComparable(it, signal.dimension())).isPresent();
   }
@@ -112,8 +118,7 @@ final class OutputRoles {
     return catalog
         .find(topic.type())
         .flatMap(type -> type.resolve(path).type())
-        .filter(BenchSignals::isNumberOrTruth)
-        .map(field -> BenchSignals.signal(topic, path, field.kind() == FieldType.Kind.BOOL));
+        .flatMap(field -> BenchSignals.readable(topic, path, field, names));
   }
 
   private static boolean isStamp(String path) {

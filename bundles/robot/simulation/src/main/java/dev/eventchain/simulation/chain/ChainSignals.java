@@ -9,6 +9,7 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.BenchSignals;
 import dev.eventchain.simulation.bench.TypedTopic;
+import dev.eventchain.simulation.formula.NamedValues;
 import dev.eventchain.simulation.formula.Signal;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -30,13 +31,12 @@ public final class ChainSignals {
   private ChainSignals() {}
 
   /** Returns the signals of the topics that components write. */
-  static ChainSignals of(
-      Collection<TopicIndex.Topic> topics, MessageCatalog catalog, Map<String, Bench.Consumed> by) {
+  static ChainSignals of(Collection<TopicIndex.Topic> topics, MessageCatalog catalog, Bench bench) {
     ChainSignals chain = new ChainSignals();
     for (TopicIndex.Topic topic : topics) {
       List<Data> written =
           topic.publishers().stream().flatMap(each -> each.data().stream()).toList();
-      type(written, catalog).ifPresent(type -> chain.add(topic.name(), type, written, by));
+      type(written, catalog).ifPresent(type -> chain.add(topic.name(), type, written, bench));
     }
     return chain;
   }
@@ -47,8 +47,7 @@ public final class ChainSignals {
         : Optional.ofNullable(written.get(0).getMessageType()).flatMap(catalog::find);
   }
 
-  private void add(
-      String topic, MessageType type, List<Data> written, Map<String, Bench.Consumed> consumed) {
+  private void add(String topic, MessageType type, List<Data> written, Bench bench) {
     Map<String, Signal> found = new TreeMap<>();
     for (Data data : written) {
       Optional<FieldType> field =
@@ -56,10 +55,11 @@ public final class ChainSignals {
       if (field.filter(BenchSignals::isNumberOrTruth).isEmpty()) {
         return;
       }
-      if (!drives(consumed.get(topic), data.getFieldName())) {
+      if (!drives(bench.consumed().get(topic), data.getFieldName())) {
         boolean truth = field.get().kind() == FieldType.Kind.BOOL;
         Signal signal = signal(topic, data, type.name(), truth);
-        found.put(signal.name(), signal);
+        NamedValues names = bench.signals().named(topic, type.name(), data.getFieldName());
+        found.put(signal.name(), names.isText() ? signal : signal.withNames(names));
       }
     }
     signals.put(new TypedTopic(topic, type.name()), List.copyOf(found.values()));

@@ -181,7 +181,7 @@ public final class SimulatedChain {
             .filter(topic -> topic.publishers().stream().anyMatch(this::isSimulated))
             .toList(),
         catalog,
-        bench.consumed());
+        bench);
   }
 
   /** Returns the first topic of the bench that a node reads; empty if none is read. */

@@ -126,6 +126,11 @@ public interface Condition extends FormulaParser.Part {
       return right.sum().plus(left.sum(), -1.0);
     }
 
+    /** Returns the named value with which a signal is compared; empty for quantities. */
+    Optional<NamedPart> named() {
+      return difference().named();
+    }
+
     /** Returns what is known of its sides, for users. */
     String values(Range.Source ranges) {
       return signals()

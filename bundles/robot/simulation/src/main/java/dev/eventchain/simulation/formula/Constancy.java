@@ -77,8 +77,12 @@ final class Constancy {
 
   private int indexOf(Condition.Comparison comparison) {
     Sum difference = comparison.difference();
+    Optional<String> named = comparison.named().map(it -> it.signal().name());
     for (int i = 0; i < sums.size(); i++) {
-      if (sums.get(i).difference().ratio(difference) != 0.0) {
+      Optional<String> other = sums.get(i).named().map(it -> it.signal().name());
+      if (named.isPresent()
+          ? named.equals(other)
+          : sums.get(i).difference().ratio(difference) != 0.0) {
         return i;
       }
     }
@@ -107,6 +111,10 @@ final class Constancy {
    * Returns values of a sum: those at which comparisons change, and one between any two of them.
    */
   private double[] candidates(Condition condition, int index) {
+    Optional<NamedPart> named = sums.get(index).named();
+    if (named.isPresent()) {
+      return named.get().signal().named().tried();
+    }
     Range range = sums.get(index).difference().range(ranges);
     TreeSet<Double> changes = new TreeSet<>();
     changes(condition, index, changes);
@@ -177,6 +185,11 @@ final class Constancy {
       rest /= tried.get(i).length;
     }
     double value = tried.get(index)[(int) (rest % tried.get(index).length)];
+    Optional<NamedPart> named = comparison.named();
+    if (named.isPresent()) {
+      boolean isAbove = comparison.left().signals().isEmpty();
+      return isAbove == (named.get().of(value) > 0.5);
+    }
     double ratio = sums.get(index).difference().ratio(comparison.difference());
     double margin = (value - valueAt(comparison, index)) / ratio;
     return comparison.strict() ? margin > 0.0 : margin >= 0.0;

@@ -245,7 +245,9 @@ public final class Formula {
           passed,
           format(
               "'%s' %s %s",
-              comparison.text(), holds ? "holds" : passed ? "is false" : "is missed", when),
+              comparison.text(),
+              holds ? "holds" : passed ? "is false" : "is missed",
+              when + comparison.named().map(it -> it.found(run, decision.sample())).orElse("")),
           run.seconds(decision.sample()));
     }
     String unit = comparison.left().commonUnit(comparison.right());

@@ -20,6 +20,7 @@ public final class FormulaTokens {
       Pattern.compile(
           "(?<number>[0-9]+(?:\\.[0-9]+)?(?:[eE][-+]?[0-9]+)?)"
               + "|(?<word>[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*)"
+              + "|(?<text>'[^'\\n]*'|\"[^\"\\n]*\")"
               + "|(?<sign><=|>=|<>|==|!=|[=<>+*/()\\[\\],-])");
 
   /** A field of a topic; matched only where no operand precedes it, or it would be a division. */
@@ -49,6 +50,7 @@ public final class FormulaTokens {
     NUMBER,
     UNIT,
     WORD,
+    TEXT,
     SIGN,
     END
   }
@@ -124,7 +126,9 @@ public final class FormulaTokens {
     Kind kind =
         token.group("number") != null
             ? Kind.NUMBER
-            : token.group("word") != null ? Kind.WORD : Kind.SIGN;
+            : token.group("word") != null
+                ? Kind.WORD
+                : token.group("text") != null ? Kind.TEXT : Kind.SIGN;
     tokens.add(new Token(kind, token.group(), at, token.end()));
     return kind == Kind.NUMBER ? unit(token.end(), end) : token.end();
   }
@@ -155,6 +159,11 @@ public final class FormulaTokens {
 
   Token peek() {
     return tokens.get(position);
+  }
+
+  /** Returns the token after the next one. */
+  Token second() {
+    return tokens.get(Math.min(position + 1, tokens.size() - 1));
   }
 
   Token next() {
@@ -209,7 +218,11 @@ public final class FormulaTokens {
   }
 
   static String shown(Token token) {
-    return token.kind() == Kind.END ? "the end of the formula" : "'" + token.text() + "'";
+    return switch (token.kind()) {
+      case END -> "the end of the formula";
+      case TEXT -> token.text();
+      default -> "'" + token.text() + "'";
+    };
   }
 
   DiagnosticException syntax(Token token, String message, String hint) {

@@ -10,8 +10,8 @@ import java.util.stream.Stream;
 /** Operators and functions of formulas, and what users read about them. */
 public enum Operator {
   COMPARISON(
-      "x < y, x <= y, x > y, x >= y",
-      "the comparison holds. There is no =: give a tolerance",
+      "x < y, x <= y, x > y, x >= y, x == 'NAME', x != 'NAME'",
+      "the comparison holds. Quantities are never equal: give a tolerance. A NAME is that of a value",
       "always abs(ego.offset) <= 0.5 m"),
   ALWAYS(
       "always[a,b] p",

@@ -22,6 +22,7 @@ import java.util.stream.Stream;
  * @param absence why it has no values in a trace, such as "nothing ahead"; empty if it has some
  * @param basis the signals that it is computed from; may be empty
  * @param range all its values, from those of other signals
+ * @param named the names of its values
  */
 public record Signal(
     String name,
@@ -31,7 +32,8 @@ public record Signal(
     Function<Trace, double[]> samples,
     Function<Trace, Optional<String>> absence,
     Set<Signal> basis,
-    Function<Range.Source, Range> range) {
+    Function<Range.Source, Range> range,
+    NamedValues named) {
 
   /** Lookup of signals by name. */
   public interface Source {
@@ -63,6 +65,19 @@ public record Signal(
     }
   }
 
+  /** Creates a signal whose values have no names. */
+  public Signal(
+      String name,
+      String unit,
+      boolean truth,
+      String meaning,
+      Function<Trace, double[]> samples,
+      Function<Trace, Optional<String>> absence,
+      Set<Signal> basis,
+      Function<Range.Source, Range> range) {
+    this(name, unit, truth, meaning, samples, absence, basis, range, NamedValues.NONE);
+  }
+
   /** Creates a signal that is not computed from others. */
   public Signal(
       String name,
@@ -80,6 +95,11 @@ public record Signal(
         absence,
         Set.of(),
         ranges -> truth ? Range.upTo(1.0) : ranges.apply(name));
+  }
+
+  /** Returns this signal with names of its values. */
+  public Signal withNames(NamedValues names) {
+    return new Signal(name, unit, truth, meaning, samples, absence, basis, range, names);
   }
 
   /** Returns this signal and all signals that it is computed from. */

@@ -67,6 +67,13 @@ final class Sum {
     return Optional.of(named);
   }
 
+  /** Returns the only part, if it is the truth that a signal has a named value. */
+  Optional<NamedPart> named() {
+    return factors.size() == 1 && factors.keySet().iterator().next() instanceof NamedPart part
+        ? Optional.of(part)
+        : Optional.empty();
+  }
+
   Range range(Range.Source signals) {
     Range range = new Range(constant, constant);
     for (Map.Entry<Object, Double> each : factors.entrySet()) {

@@ -28,6 +28,7 @@ final class TermParser {
   private final Supplier<Part> parenthesized;
   private final BiFunction<Part, Token, Condition> conditions;
   private final double longest;
+  private final NamedValueParser names;
   private Optional<UnresolvedOutputException> unresolved = Optional.empty();
 
   /**
@@ -46,6 +47,7 @@ final class TermParser {
     this.longest = longest;
     this.conditions = conditions;
     this.tokens = tokens;
+    this.names = new NamedValueParser(tokens);
     this.signals = signals;
     this.parenthesized = parenthesized;
   }
@@ -107,7 +109,10 @@ final class TermParser {
       };
     }
     String found = FormulaTokens.shown(token);
-    throw tokens.syntax(token, "Expected a quantity or a condition, but found " + found + ".", "");
+    throw tokens.syntax(
+        token,
+        "Expected a quantity or a condition, but found " + found + ".",
+        token.kind() == Kind.TEXT ? "Names of values stand after a signal and `==` or `!=`." : "");
   }
 
   private Term number(Token token) {
@@ -228,7 +233,14 @@ final class TermParser {
     return term(parenthesized.get(), first);
   }
 
-  private Term signal(Token token) {
+  /** Returns a signal, or its comparison with the name of a value. */
+  private Part signal(Token token) {
+    Signal signal = find(token);
+    Optional<Condition> named = names.comparison(signal, token);
+    return named.isPresent() ? named.get() : Term.of(signal);
+  }
+
+  private Signal find(Token token) {
     if (Operator.KEYWORDS.contains(token.text())) {
       String message = "Expected a quantity, but found '" + token.text() + "'.";
       throw tokens.syntax(token, message, "Put what follows into parentheses.");
@@ -238,14 +250,14 @@ final class TermParser {
       throw tokens.unknownSignal(token, "Outputs of the software cannot be read here.", "");
     }
     if (output.matches()) {
-      return Term.of(output(output.group("id"), Optional.ofNullable(output.group("kind")), token));
+      return output(output.group("id"), Optional.ofNullable(output.group("kind")), token);
     }
     String name = ActorSignals.named(token.text());
     Optional<Signal> signal = signals.find(name);
     if (signal.isEmpty()) {
       throw unknown(name, token);
     }
-    return Term.of(signal.get());
+    return signal.get();
   }
 
   private DiagnosticException unknown(String name, Token token) {

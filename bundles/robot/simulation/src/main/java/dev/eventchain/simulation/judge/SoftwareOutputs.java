@@ -72,12 +72,20 @@ final class SoftwareOutputs {
     };
   }
 
-  /** Returns the outputs that differ from 0 and false at some time in some scenario. */
+  /**
+   * Returns the outputs that differ from 0 and false at some time in some scenario. A text has no
+   * such value: it has to change, or to be written in some runs only.
+   */
   Set<String> active(Set<String> outputs) {
     return outputs.stream().filter(this::isActive).collect(Collectors.toCollection(TreeSet::new));
   }
 
   private boolean isActive(String output) {
+    if (isText(output)) {
+      List<Set<Double>> written = runs.stream().map(run -> values(run, output)).toList();
+      return written.stream().distinct().count() > 1
+          || written.stream().anyMatch(each -> each.size() > 1);
+    }
     return switch (actuated(output)) {
       case "brake" -> everCommanded(Trace.Command::brakes);
       case "throttle" -> everCommanded(command -> command.throttle() != 0.0);
@@ -87,6 +95,17 @@ final class SoftwareOutputs {
               .flatMap(run -> run.trace().samples(output).stream())
               .anyMatch(sample -> sample.value() != 0.0 && !Double.isNaN(sample.value()));
     };
+  }
+
+  private boolean isText(String output) {
+    return chain.bench().signals().find(output).filter(it -> it.named().isText()).isPresent();
+  }
+
+  private static Set<Double> values(ScenarioRun run, String output) {
+    return run.trace().samples(output).stream()
+        .map(Trace.Sample::value)
+        .filter(value -> !value.isNaN())
+        .collect(Collectors.toSet());
   }
 
   /** Returns whether there is such a command in some scenario. */

@@ -29,7 +29,7 @@ final class WhatHappened {
   static List<Figure> figures(Trace trace, List<Signal> signals) {
     List<Figure> figures = new ArrayList<>();
     for (Signal signal : signals) {
-      if (!signal.truth() && signal.absence().apply(trace).isEmpty()) {
+      if (!signal.truth() && !signal.named().isText() && signal.absence().apply(trace).isEmpty()) {
         double[] values = signal.samples().apply(trace);
         extreme(figures, signal, Statistic.MINIMUM, trace, values);
         extreme(figures, signal, Statistic.MAXIMUM, trace, values);
@@ -104,6 +104,12 @@ final class WhatHappened {
             all.add(new Happened(words, Kind.TAKEOVER, World.seconds(at), OptionalDouble.empty())));
   }
 
+  private static List<Curve.Name> names(Signal signal) {
+    return signal.named().values().stream()
+        .map(each -> new Curve.Name(each.number(), each.name()))
+        .toList();
+  }
+
   /** Returns the curves of the signals, and the scene. */
   static Series series(Situation situation, Trace trace, List<Signal> signals) {
     List<Trace.State> states = trace.states();
@@ -123,7 +129,8 @@ final class WhatHappened {
                       signal.name(),
                       signal.unit(),
                       signal.absence().apply(trace).orElse(""),
-                      kept.stream().map(i -> signal.inUnit(values[i])).toList());
+                      kept.stream().map(i -> signal.inUnit(values[i])).toList(),
+                      names(signal));
                 })
             .toList();
     List<Trace.State> shown = kept.stream().map(states::get).toList();

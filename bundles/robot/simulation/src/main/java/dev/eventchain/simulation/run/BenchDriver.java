@@ -340,7 +340,10 @@ final class BenchDriver {
   private static Map<String, Double> values(List<Signal> signals, MessageValue message) {
     Map<String, Double> values = new LinkedHashMap<>();
     for (Signal signal : signals) {
-      double value = number(message, signal.field());
+      double value =
+          signal.named().isText()
+              ? signal.named().numberOf(message.get(signal.field()).toString())
+              : number(message, signal.field());
       values.put(signal.name(), signal.dimension().coherent(value));
     }
     return values;

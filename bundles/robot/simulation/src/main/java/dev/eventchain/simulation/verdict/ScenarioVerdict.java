@@ -360,12 +360,31 @@ public record ScenarioVerdict(
    * @param unit of the values; 1 for a ratio
    * @param absence why it has no values; empty if it has some
    * @param values one for each time of the series, infinite or NaN where there is none
+   * @param names the names of values, if they have any
    */
-  public record Curve(String name, String unit, String absence, List<Double> values) {
+  public record Curve(
+      String name, String unit, String absence, List<Double> values, List<Name> names) {
 
-    /** Copies the list. */
+    /** A value with a name. */
+    public record Name(double value, String name) {}
+
+    /** Copies the lists. */
     public Curve {
       values = List.copyOf(values);
+      names = List.copyOf(names);
+    }
+
+    /** Creates a curve of plain numbers. */
+    public Curve(String name, String unit, String absence, List<Double> values) {
+      this(name, unit, absence, values, List.of());
+    }
+
+    /** Returns the name of a value. */
+    public Optional<String> nameOf(double value) {
+      return names.stream()
+          .filter(each -> Math.abs(each.value() - value) <= 1e-6 * Math.max(1.0, Math.abs(value)))
+          .map(Name::name)
+          .findFirst();
     }
   }
 

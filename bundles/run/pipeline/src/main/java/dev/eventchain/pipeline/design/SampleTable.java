@@ -107,7 +107,9 @@ final class SampleTable {
         verdict.samples().stream().anyMatch(each -> curve.name().equals(signal(each)));
     NavigableMap<Double, String> column = new TreeMap<>();
     for (int i = 0; i < curve.values().size(); i++) {
-      column.put(verdict.series().time().get(i), number(curve.values().get(i)));
+      double value = curve.values().get(i);
+      column.put(
+          verdict.series().time().get(i), curve.nameOf(value).orElseGet(() -> number(value)));
     }
     boolean changes = Set.copyOf(window(column).values()).size() > 1;
     if (!isOfMessages && changes && others.size() < MOST_OTHERS) {

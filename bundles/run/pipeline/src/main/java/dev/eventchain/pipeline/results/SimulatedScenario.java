@@ -67,8 +67,23 @@ public record SimulatedScenario(
    *
    * @param absent why it has no values, if it has none
    * @param values one for each time
+   * @param names the names of values, if they have any
    */
-  public record Signal(String name, String unit, Optional<String> absent, List<Double> values) {}
+  public record Signal(
+      String name,
+      String unit,
+      Optional<String> absent,
+      List<Double> values,
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Name> names) {
+
+    /** Copies the list of names. */
+    public Signal {
+      names = names == null ? List.of() : List.copyOf(names);
+    }
+  }
+
+  /** A value with a name. */
+  public record Name(double value, String name) {}
 
   /** The road from above, in m and rad; lines are those of a map. */
   public record Scene(

@@ -206,7 +206,10 @@ final class SimulationReport {
                         curve.name(),
                         curve.unit(),
                         Optional.of(curve.absence()).filter(absence -> !absence.isEmpty()),
-                        Rounding.rounded(curve.values())))
+                        Rounding.rounded(curve.values()),
+                        curve.names().stream()
+                            .map(it -> new SimulatedScenario.Name(it.value(), it.name()))
+                            .toList()))
             .toList());
   }
 

@@ -16,7 +16,8 @@ function panelsOf(scenario) {
     const limits = records(scenario.criteria).flatMap((criterion) => records(criterion.limits))
       .filter((limit) => text(limit.signal) === name).map((limit) => number(limit.value)).filter((value) => value !== null);
     const earlier = records(record(record(scenario.before).series).signals).find((each) => text(each.name) === name);
-    return { name, unit, before: earlier && Array.isArray(earlier.values) ? earlier.values.map(number) : null, values: Array.isArray(signal.values) ? signal.values.map(number) : [], limits: [...new Set(limits)], absent: text(signal.absent) };
+    const names = new Map(records(signal.names).map((each) => [number(each.value), text(each.name)]));
+    return { name, unit, names, before: earlier && Array.isArray(earlier.values) ? earlier.values.map(number) : null, values: Array.isArray(signal.values) ? signal.values.map(number) : [], limits: [...new Set(limits)], absent: text(signal.absent) };
   });
 }
 
@@ -171,7 +172,7 @@ function nearest(times, time) {
 }
 
 function reading(panel, value) {
-  return value === null ? "\u2013" : figure(value, panel.digits, panel.unit);
+  return value === null ? "\u2013" : panel.names.get(value) ?? figure(value, panel.digits, panel.unit);
 }
 
 function spokenSeries(panel, values, range) {
@@ -202,10 +203,10 @@ function drawPanel(panel, samples, top, frame) {
   const scale = domain(panel, range);
   const base = top + PLOT.title + PLOT.height;
   const toY = (amount) => base - ((Math.min(amount, scale.high + 20 * (scale.high - scale.low)) - scale.low) / (scale.high - scale.low)) * PLOT.height;
-  drawScale(group, scale, toY, frame, top);
+  drawScale(group, panel, scale, toY, frame, top);
   const point = svg("circle", { class: "point", r: 3.5 });
   const cursor = svg("line", { class: "cursor", y1: top + PLOT.title, y2: base });
-  group.append(drawCurve(samples, values, panel.before, toY, frame, top), ...drawThresholds(panel, scale, toY, frame),
+  group.append(drawCurve(samples, panel, toY, frame, top), ...drawThresholds(panel, scale, toY, frame),
     ...drawEvents(frame, top + PLOT.title, base), cursor, point);
   return {
     group,
@@ -224,10 +225,13 @@ function drawPanel(panel, samples, top, frame) {
   };
 }
 
-function drawScale(group, scale, toY, frame, top) {
+function drawScale(group, panel, scale, toY, frame, top) {
   for (const mark of frame.marks.values) {
     const x = frame.toX(mark);
     group.append(svg("line", { class: "grid", x1: x, x2: x, y1: top + PLOT.title, y2: top + PLOT.title + PLOT.height }));
+  }
+  if (panel.names.size > 0) {
+    return; // the value above the plot has its name, for which there is no room here
   }
   const marks = ticks(scale.low, scale.high, 3);
   for (const mark of marks.values) {
@@ -239,7 +243,8 @@ function drawScale(group, scale, toY, frame, top) {
 }
 
 /** The curve, cut off at the edges of its panel. */
-function drawCurve(samples, values, before, toY, frame, top) {
+function drawCurve(samples, panel, toY, frame, top) {
+  const { values, before } = panel;
   const [x, y, width, height] = [frame.left, top + PLOT.title - 1, frame.right - frame.left, PLOT.height + 2];
   const cut = svg("svg", { x, y, width, height, viewBox: `${x} ${y} ${width} ${height}`, overflow: "hidden" });
   if (before !== null && samples.before !== null) {
@@ -248,7 +253,7 @@ function drawCurve(samples, values, before, toY, frame, top) {
     }
   }
   for (const points of stretches(samples.time, values, frame.toX, toY)) {
-    cut.append(svg("path", { class: "curve", d: pathOf(points, isTruth(values)) }));
+    cut.append(svg("path", { class: "curve", d: pathOf(points, panel.names.size > 0 || isTruth(values)) }));
   }
   return cut;
 }

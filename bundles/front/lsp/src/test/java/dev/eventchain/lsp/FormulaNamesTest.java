@@ -1,0 +1,108 @@
+package dev.eventchain.lsp;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.editing.Analysis;
+import dev.eventchain.editing.Completion;
+import dev.eventchain.editing.Hover;
+import dev.eventchain.editing.TextLines;
+import dev.eventchain.editing.TextPosition;
+import dev.eventchain.editing.Workspace;
+import dev.eventchain.fixtures.Repository;
+import dev.eventchain.lsp.project.ProjectLanguageService;
+import dev.eventchain.lsp.text.OpenTexts;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EPackage;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Names of values in formulas of a scenario: what editors propose, and what they say. */
+class FormulaNamesTest {
+
+  private static final String SEAT = "/vss/Vehicle/Cabin/Seat/Row2/Middle/OccupancyStatus.data";
+
+  /** A workspace with one text, which is not saved. */
+  private record OnlyText(Path opened, String text) implements Workspace {
+    @Override
+    public List<Path> files() {
+      return List.of();
+    }
+
+    @Override
+    public Optional<SourceText> text(Path file) {
+      return Optional.of(
+          file.equals(opened) ? SourceText.of(file.toString(), text) : SourceText.read(file));
+    }
+
+    @Override
+    public List<EPackage> metamodels(Path file) {
+      return List.of();
+    }
+  }
+
+  private static Analysis analysis(String marked) {
+    Path opened =
+        Repository.ROOT
+            .toAbsolutePath()
+            .normalize()
+            .resolve("examples/child-presence/scenarios/new.yaml");
+    OnlyText only = new OnlyText(opened, marked.replace("^", ""));
+    return new ProjectLanguageService(only, new OpenTexts()).analysis(opened).orElseThrow();
+  }
+
+  private static String formula(String rest) {
+    return "accept:\n  formulas:\n    - formula: always[1, 2] " + SEAT + rest + "\n";
+  }
+
+  private static TextPosition cursor(String marked) {
+    return new TextLines(marked).position(marked.indexOf('^'));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '~',
+      value = {
+        " == '^       | == 'OCCUPIED'",
+        " == '^'      | == 'OCCUPIED'",
+        " == 'OCC^'   | == 'OCCUPIED'",
+        " != ^        | != 'OCCUPIED'",
+        " == \"OC^    | == \"OCCUPIED\"",
+      })
+  void namesOfTheSignalAreProposed(String rest, String expected) {
+    String marked = formula(" " + rest);
+    Completion taken =
+        analysis(marked).completions(cursor(marked)).stream()
+            .filter(each -> each.label().equals("OCCUPIED"))
+            .findFirst()
+            .orElseThrow();
+    String text = marked.replace("^", "");
+    TextLines lines = new TextLines(text);
+    assertEquals(
+        formula(" " + expected),
+        text.substring(0, lines.offset(taken.replaced().start()))
+            + taken.insertText()
+            + text.substring(lines.offset(taken.replaced().end())));
+  }
+
+  @Test
+  void anUnknownSignalHasNone() {
+    String marked = "accept:\n  formulas:\n    - formula: always /a.data == '^'\n";
+    assertEquals(List.of(), analysis(marked).completions(cursor(marked)));
+  }
+
+  @Test
+  void theSignalIsDescribedByTheNamesOfItsValues() {
+    String marked = formula(" == 'OCCUPIED'").replace("Middle", "Mid^dle");
+    Optional<Hover> hover = analysis(marked).hover(cursor(marked));
+    assertTrue(
+        hover.orElseThrow().markdown().contains("`OCCUPIED`, `EMPTY`")
+            || hover.orElseThrow().markdown().contains("`EMPTY`, `OCCUPIED`"),
+        () -> hover.orElseThrow().markdown());
+  }
+}

@@ -1,0 +1,68 @@
+package dev.eventchain.simulation.bench;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.model.Signal;
+import dev.eventchain.model.Signal.Direction;
+import dev.eventchain.model.Signal.Field;
+import dev.eventchain.model.Signal.NamedNumber;
+import dev.eventchain.model.Signal.Values;
+import dev.eventchain.simulation.formula.NamedValues;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Names of the values of fields: those of catalogues, and constants of messages. */
+class FieldNamesTest {
+
+  private static final OptionalDouble NONE = OptionalDouble.empty();
+  private static final Bench BENCH =
+      Bench.parse(
+          SourceText.of("bench.yaml", "provides: {}"),
+          List.of(
+              signal("/seat", "std_msgs/msg/String", new Values(NONE, NONE, List.of("A", "B"))),
+              signal(
+                  "/gear",
+                  "std_msgs/msg/UInt8",
+                  new Values(NONE, NONE, List.of(), List.of(new NamedNumber("Reverse", 7)))),
+              signal("/free", "std_msgs/msg/String", Values.ANY),
+              signal("/door", "demo_msgs/msg/GarageGate", Values.ANY)),
+          MessageCatalog.of(List.of(Path.of("src/test/resources/benches/msg"))));
+
+  private static Signal signal(String topic, String type, Values values) {
+    Field field = new Field("data", "", "", values, SourceLocation.NONE);
+    return new Signal(
+        topic, type, Direction.PROVIDED, Optional.empty(), List.of(field), SourceLocation.NONE);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "/seat.data   | texts [A 0.0, B 1.0]",
+        "/gear.data   | numbers [Reverse 7.0]",
+        "/free.data   | unknown",
+        "/door.state  | numbers [STATE_CLOSED 0.0, STATE_OPEN 1.0]",
+        "/door.side   | numbers [LEFT 0.0, RIGHT 1.0]",
+        "/door.count  | numbers []",
+        "/door.colour | texts [red 0.0, green 1.0]",
+        "/door.sides  | unknown",
+        "/door.share  | numbers []",
+      })
+  void namesAreThoseOfTheCatalogueOrOfTheMessage(String signal, String expected) {
+    String found = BENCH.signals().find(signal).map(it -> described(it.named())).orElse("unknown");
+    assertEquals(expected, found);
+  }
+
+  private static String described(NamedValues names) {
+    List<String> all =
+        names.values().stream().map(each -> each.name() + " " + each.number()).toList();
+    return (names.isText() ? "texts " : "numbers ") + all;
+  }
+}
