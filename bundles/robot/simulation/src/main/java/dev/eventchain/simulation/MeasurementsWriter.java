@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import dev.eventchain.simulation.verdict.Curve;
 import dev.eventchain.simulation.verdict.Measurements;
 import dev.eventchain.simulation.verdict.MessageFlow;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
@@ -124,7 +125,7 @@ final class MeasurementsWriter {
     json.writeObjectFieldStart("series");
     column("time", series.time());
     json.writeArrayFieldStart("signals");
-    for (ScenarioVerdict.Curve curve : series.curves()) {
+    for (Curve curve : series.curves()) {
       json.writeStartObject();
       json.writeStringField("name", curve.name());
       json.writeStringField("unit", curve.unit());
@@ -136,12 +137,12 @@ final class MeasurementsWriter {
     json.writeEndObject();
   }
 
-  private void names(List<ScenarioVerdict.Curve.Name> names) throws IOException {
+  private void names(List<Curve.Name> names) throws IOException {
     if (names.isEmpty()) {
       return;
     }
     json.writeArrayFieldStart("names");
-    for (ScenarioVerdict.Curve.Name each : names) {
+    for (Curve.Name each : names) {
       json.writeStartObject();
       field("value", each.value());
       json.writeStringField("name", each.name());

@@ -1,7 +1,7 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.documents.CsvText;
-import dev.eventchain.simulation.verdict.ScenarioVerdict.Curve;
+import dev.eventchain.simulation.verdict.Curve;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Series;
 import java.util.ArrayList;
 import java.util.List;

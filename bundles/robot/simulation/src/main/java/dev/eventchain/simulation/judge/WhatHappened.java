@@ -2,9 +2,9 @@ package dev.eventchain.simulation.judge;
 
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.Curve;
 import dev.eventchain.simulation.verdict.Happened;
 import dev.eventchain.simulation.verdict.Happened.Kind;
-import dev.eventchain.simulation.verdict.ScenarioVerdict.Curve;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Figure;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Series;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Statistic;
