@@ -55,7 +55,9 @@ public final class DbcFormat implements CatalogueFormat {
   /** Reads the statements of a text. */
   static DbcNetwork network(SourceText text, Consumer<Diagnostic> findings) {
     try {
-      return new DbcReader(text, findings).read();
+      DbcNetwork network = new DbcReader(text, findings).read();
+      network.messages().forEach(message -> DbcOverlaps.check(message, findings));
+      return network;
     } catch (UnreadException e) {
       findings.accept(Diagnostic.of(CatalogueRules.ENTRY, e.getMessage(), text.at(e.offset())));
       return new DbcNetwork();

@@ -1,8 +1,11 @@
 package dev.eventchain.catalogue.dbc;
 
+import java.math.BigDecimal;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 
@@ -72,6 +75,30 @@ final class DbcMessage {
   /** Returns the signals by the names of their statements. */
   Map<String, DbcSignal> signals() {
     return signals;
+  }
+
+  /** Returns when a multiplexed signal is there; empty if it always is. */
+  Optional<DbcCondition> condition(DbcSignal signal) {
+    if (signal.multiplexed().isEmpty() || signal.condition().isPresent()) {
+      return signal.condition();
+    }
+    List<DbcCondition.Range> number =
+        List.of(DbcCondition.Range.of(new BigDecimal(signal.multiplexed())));
+    return signals.values().stream()
+        .filter(it -> it.isMultiplexer() && it.multiplexed().isEmpty())
+        .map(it -> new DbcCondition(it, number))
+        .findFirst();
+  }
+
+  /** Returns the numbers of all multiplexers on which a signal depends, those of others included. */
+  Map<DbcSignal, List<DbcCondition.Range>> conditions(DbcSignal signal) {
+    Map<DbcSignal, List<DbcCondition.Range>> all = new LinkedHashMap<>();
+    Optional<DbcCondition> next = condition(signal);
+    while (next.isPresent() && !all.containsKey(next.get().multiplexer())) {
+      all.put(next.get().multiplexer(), next.get().ranges());
+      next = condition(next.get().multiplexer());
+    }
+    return all;
   }
 
   String comment() {

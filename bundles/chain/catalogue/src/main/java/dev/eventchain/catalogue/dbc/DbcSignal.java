@@ -3,8 +3,10 @@ package dev.eventchain.catalogue.dbc;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.math.BigDecimal;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** A signal of a message, while its statements are read. */
 final class DbcSignal {
@@ -38,6 +40,15 @@ final class DbcSignal {
       // Bits go down to the least significant one of a byte, and on with the next byte.
       long position = 8L * (start / 8) + 7 - start % 8;
       return position + length <= bits;
+    }
+
+    /** Returns the numbers of all bits, which are counted from the least one of each byte. */
+    List<Integer> bits() {
+      int first = 8 * (start / 8) + 7 - start % 8;
+      return IntStream.range(0, length)
+          .map(i -> bigEndian ? 8 * ((first + i) / 8) + 7 - (first + i) % 8 : start + i)
+          .boxed()
+          .toList();
     }
 
     /** Returns what a raw number means, in the unit of the signal. */

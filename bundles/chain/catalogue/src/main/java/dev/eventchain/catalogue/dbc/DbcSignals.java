@@ -114,7 +114,10 @@ final class DbcSignals {
       sentences.add(comment.matches("(?s).*[.!?]") ? comment : comment + ".");
     }
     sentences.addAll(texts(signal, values.special()));
-    present(message, signal).ifPresent(when -> sentences.add("Only sent where " + when + "."));
+    message
+        .condition(signal)
+        .map(DbcCondition::text)
+        .ifPresent(when -> sentences.add("Only sent where " + when + "."));
     if (network.cycle(message) > 0) {
       sentences.add("Sent every " + network.cycle(message) + " ms.");
     }
@@ -154,19 +157,6 @@ final class DbcSignals {
       sentences.add("Outside of " + range + ": " + String.join(", ", outside) + ".");
     }
     return sentences;
-  }
-
-  /** Returns the condition under which a multiplexed signal is in its message. */
-  private static Optional<String> present(DbcMessage message, DbcSignal signal) {
-    if (signal.multiplexed().isEmpty() || signal.condition().isPresent()) {
-      return signal.condition().map(DbcCondition::text);
-    }
-    List<DbcCondition.Range> number =
-        List.of(DbcCondition.Range.of(new BigDecimal(signal.multiplexed())));
-    return message.signals().values().stream()
-        .filter(it -> it.isMultiplexer() && it.multiplexed().isEmpty())
-        .map(it -> new DbcCondition(it, number).text())
-        .findFirst();
   }
 
   private void find(String message, SourceLocation place) {

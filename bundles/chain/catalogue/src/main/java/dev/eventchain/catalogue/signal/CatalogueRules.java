@@ -14,6 +14,7 @@ public final class CatalogueRules {
   public static final Rule FORMAT = Rule.error("catalogue.format");
   public static final Rule INCLUDE = Rule.error("catalogue.include");
   public static final Rule NODE = Rule.error("catalogue.node");
+  public static final Rule OVERLAP = Rule.warning("catalogue.overlap");
   public static final Rule OVERLAY = Rule.error("catalogue.overlay");
   public static final Rule RANGE = Rule.warning("catalogue.range");
   public static final Rule SIZE = Rule.error("catalogue.size");

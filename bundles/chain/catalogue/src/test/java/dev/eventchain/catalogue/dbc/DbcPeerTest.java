@@ -37,13 +37,15 @@ class DbcPeerTest {
       Files.writeString(folder.resolve("legal-%04d.dbc".formatted(i)), RandomNetwork.legal(random));
       Files.writeString(
           folder.resolve("place-%04d.dbc".formatted(i)), RandomNetwork.anyPlace(random));
+      Files.writeString(
+          folder.resolve("shared-%04d.dbc".formatted(i)), RandomNetwork.overlapping(random));
     }
     RequirementTools tools = RequirementTools.install(PYTHON.resolve("requirements-dbc.txt"));
     RequirementTools.Ended ended =
         tools.run(folder, "python", PYTHON.resolve("read_dbc.py").toAbsolutePath(), folder);
     assertEquals(0, ended.code(), ended.output());
     Map<String, List<String>> theirs = byFile(ended.output());
-    assertEquals(2 * COUNT + 1, theirs.size());
+    assertEquals(3 * COUNT + 1, theirs.size());
     int refused = 0;
     for (Map.Entry<String, List<String>> their : theirs.entrySet()) {
       String text = Files.readString(folder.resolve(their.getKey()));
@@ -51,7 +53,7 @@ class DbcPeerTest {
           String.join("\n", their.getValue()), String.join("\n", lines(text)), their.getKey());
       refused += their.getValue().get(0).startsWith("refused") ? 1 : 0;
     }
-    assertTrue(refused > COUNT / 10 && refused < COUNT, refused + " refused");
+    assertTrue(refused > COUNT / 5 && refused < 2 * COUNT, refused + " refused");
   }
 
   /**

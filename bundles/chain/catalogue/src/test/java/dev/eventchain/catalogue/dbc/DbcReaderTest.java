@@ -71,7 +71,7 @@ class DbcReaderTest {
          SG_ Mux M : 0|4@1+ (1,100) [0|0] "" A
          SG_ Temperature m3 : 8|8@1+ (1,-40) [0|0] "degC" A
          SG_ Speed m4 : 8|8@1+ (0.5,0) [0|0] "km/h" A
-         SG_ Nested m5M : 8|8@1- (-2,0) [0|0] "" A
+         SG_ Nested m5M : 24|8@1- (-2,0) [0|0] "" A
          SG_ Level m0 : 16|8@1+ (1,0) [0|0] "" A
         BA_ "SystemSignalLongSymbol" SG_ 1 Nested "Nested_Multiplexer";
         VAL_ 1 Temperature 255 "SNA" 0 "frozen" ;

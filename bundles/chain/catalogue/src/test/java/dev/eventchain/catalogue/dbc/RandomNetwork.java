@@ -50,6 +50,27 @@ final class RandomNetwork {
             random.nextBoolean() ? "+" : "-");
   }
 
+  /** Returns a network with signals anywhere in a message, which may share bits. */
+  static String overlapping(Random random) {
+    StringBuilder text =
+        new StringBuilder("BU_: A\nBO_ 1 One: 4 A\n SG_ S0 M : 0|3@1+ (1,0) [0|0] \"\" A\n");
+    int count = 1 + random.nextInt(4);
+    for (int i = 1; i <= count; i++) {
+      int length = 1 + random.nextInt(9);
+      int place = random.nextInt(33 - length);
+      boolean bigEndian = random.nextBoolean();
+      text.append(
+          " SG_ S%d%s : %d|%d@%d+ (1,0) [0|0] \"\" A\n"
+              .formatted(
+                  i,
+                  random.nextInt(3) == 0 ? "" : " m" + random.nextInt(3),
+                  bigEndian ? place / 8 * 8 + 7 - place % 8 : place,
+                  length,
+                  bigEndian ? 0 : 1));
+    }
+    return text.toString();
+  }
+
   private <T> T any(List<T> all) {
     return all.get(random.nextInt(all.size()));
   }
