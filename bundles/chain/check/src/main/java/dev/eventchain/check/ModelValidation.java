@@ -52,12 +52,11 @@ public final class ModelValidation {
   private final Origins origins;
   private final EcoreChecks ecore;
 
-  private ModelValidation(
-      List<Path> metamodels, ReferenceFolders references, List<Path> models, Duration timeLimit) {
-    store = storeOf(metamodels, models, references);
-    packages = load(store, metamodels);
-    this.models = store.loadAll(models);
-    all = XmiStore.withReferred(this.models);
+  private ModelValidation(ModelFiles files, Duration timeLimit) {
+    store = storeOf(files.metamodels(), files.files(), files.references());
+    packages = load(store, files.metamodels());
+    models = store.loadAll(files.files());
+    all = XmiStore.withReferred(models);
     usesUml = roots(all).stream().anyMatch(root -> Uml.isMetamodel(root.eClass().getEPackage()));
     if (usesUml) {
       addPackagesOf(roots(all));
@@ -108,7 +107,7 @@ public final class ModelValidation {
    * Reads metamodels, for something that needs no model.
    *
    * @param metamodels the files; of {@code *.profile.uml}, the stereotypes are meant
-   * @param references as in {@link #read}
+   * @param references as of {@link ModelFiles}
    * @return their packages, and the one of event chains
    * @throws DiagnosticException INPUT if a file cannot be read
    */
@@ -127,7 +126,7 @@ public final class ModelValidation {
   /**
    * Reads a file of UML profiles, for something that needs no model.
    *
-   * @param references as in {@link #read}
+   * @param references as of {@link ModelFiles}
    * @return the packages that define their stereotypes
    * @throws DiagnosticException INPUT if the file cannot be read
    */
@@ -138,14 +137,11 @@ public final class ModelValidation {
   /**
    * Reads models and checks them against their metamodel.
    *
-   * @param metamodels the models' metamodels; none for event chains
-   * @param references where references may lead besides the folders of the files
    * @param timeLimit the processor time that the patterns of a data type may take
    * @throws DiagnosticException INPUT if a file cannot be read
    */
-  public static ModelValidation read(
-      List<Path> metamodels, ReferenceFolders references, List<Path> models, Duration timeLimit) {
-    return new ModelValidation(metamodels, references, models, timeLimit);
+  public static ModelValidation read(ModelFiles files, Duration timeLimit) {
+    return new ModelValidation(files, timeLimit);
   }
 
   /** Returns the metamodels, including the shipped one. */
@@ -174,11 +170,10 @@ public final class ModelValidation {
   /**
    * Checks models, and those that they refer to, against their metamodel and evaluates constraints
    * on them. The constraints are those of documents and of the metamodels; without any, only the
-   * metamodels are checked.
+   * metamodels are checked. Event chains are checked against the standard constraints and the
+   * contracts inside each chain, too.
    *
-   * @param metamodels the models' metamodels; none for event chains, which are checked against the
-   *     standard constraints and the contracts inside each chain, too; UML need not be named
-   * @param references where references may lead besides the folders of the files
+   * @param constraints documents, and folders of them
    * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, next to the
    *     standard types of ROS 2 and to those of the projects in which the models are, which also
    *     say whose standard types these are
@@ -187,16 +182,11 @@ public final class ModelValidation {
    * @throws DiagnosticException INPUT if a file cannot be read
    */
   public static Validation validate(
-      List<Path> metamodels,
-      ReferenceFolders references,
-      List<Path> constraints,
-      List<Path> models,
-      List<Path> messages,
-      Duration timeLimit) {
-    ModelValidation any = read(metamodels, references, models, timeLimit);
+      ModelFiles files, List<Path> constraints, List<Path> messages, Duration timeLimit) {
+    ModelValidation any = read(files, timeLimit);
     List<SourceText> documents = new ArrayList<>();
     boolean chains = roots(any.all).stream().anyMatch(EventChain.class::isInstance);
-    boolean aboutChains = metamodels.isEmpty() && (chains || !any.usesUml);
+    boolean aboutChains = files.metamodels().isEmpty() && (chains || !any.usesUml);
     if (aboutChains) {
       documents.add(EventChainMetamodel.constraints());
     }
@@ -208,8 +198,7 @@ public final class ModelValidation {
             .withTimeLimit(timeLimit)
             .validate(roots(any.all), any.origins::locate);
     Coverage coverage =
-        Constraints.coverage(any.files(metamodels, rulesIn, models), result)
-            .and(any.ecore.coverage());
+        Constraints.coverage(any.read(files, rulesIn), result).and(any.ecore.coverage());
     boolean onlyMetamodel = documents.isEmpty() && rules.constraints().isEmpty();
     boolean isMetamodelChecked = coverage.evaluations(Coverage.Kind.METAMODEL) > 0;
     List<Diagnostic> found =
@@ -264,11 +253,11 @@ public final class ModelValidation {
   }
 
   /** Returns the files that were read. */
-  private List<String> files(List<Path> metamodels, List<Path> constraints, List<Path> named) {
+  private List<String> read(ModelFiles files, List<Path> constraints) {
     Stream<String> referred =
         all.stream().skip(models.size()).map(m -> origins.locate(m.roots().get(0)).file());
     Stream<String> given =
-        Stream.of(named, metamodels, constraints)
+        Stream.of(files.files(), files.metamodels(), constraints)
             .flatMap(List::stream)
             .map(file -> SourceLocation.of(file).file());
     return Stream.concat(given, referred).distinct().toList();

@@ -60,10 +60,10 @@ class ModelValidationTest {
 
   private Validation validate(List<Path> constraints, String... models) {
     return ModelValidation.validate(
-        List.of(folder.resolve("shop.ecore")),
-        ReferenceFolders.NONE,
+        ModelFiles.of(
+            List.of(models).stream().map(folder::resolve).toList(),
+            List.of(folder.resolve("shop.ecore"))),
         constraints,
-        List.of(models).stream().map(folder::resolve).toList(),
         List.of(),
         Duration.ofMinutes(1));
   }
@@ -151,10 +151,8 @@ class ModelValidationTest {
     ProjectCopy radar = new ProjectCopy(ProjectCopy.RADAR);
     Validation fine =
         ModelValidation.validate(
+            ModelFiles.of(List.of(radar.file("model/chain.xmi")), List.of()),
             List.of(),
-            ReferenceFolders.NONE,
-            List.of(),
-            List.of(radar.file("model/chain.xmi")),
             List.of(radar.file("software-base/msg")),
             Duration.ofMinutes(1));
     assertEquals(List.of(), fine.diagnostics());

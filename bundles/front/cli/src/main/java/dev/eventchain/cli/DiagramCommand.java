@@ -1,6 +1,6 @@
 package dev.eventchain.cli;
 
-import dev.eventchain.check.ReferenceFolders;
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.Outcome;
@@ -76,8 +76,8 @@ final class DiagramCommand extends ProjectCommand {
     boolean classes = isMetamodel && wanted.contains(Kind.METAMODEL);
     List<Path> ecores = classes ? List.of(input) : given.metamodels;
     List<Path> models = classes && wanted.size() == 1 ? List.of() : List.of(input);
-    return drawn(
-        Diagrams.draw(wanted, ecores, given.references.folders(), models, output(), onEdit()));
+    ModelFiles files = new ModelFiles(models, ecores, given.references.folders());
+    return drawn(Diagrams.draw(wanted, files, output(), onEdit()));
   }
 
   private Outcome drawProject(Project project) {
@@ -91,8 +91,8 @@ final class DiagramCommand extends ProjectCommand {
     }
     Path model = project.model(results).orElseThrow();
     Set<Kind> wanted = kindsOr(Kind.values());
-    return drawn(
-        Diagrams.draw(wanted, List.of(), ReferenceFolders.NONE, List.of(model), folder, onEdit()));
+    ModelFiles files = ModelFiles.of(List.of(model), List.of());
+    return drawn(Diagrams.draw(wanted, files, folder, onEdit()));
   }
 
   private Outcome makeModel(Project project, Path results) {

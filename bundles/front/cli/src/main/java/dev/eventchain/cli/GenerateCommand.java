@@ -136,7 +136,7 @@ final class GenerateCommand extends ProjectCommand {
     Suppressions suppressions = suppressions();
     WrittenFiles files =
         AnyModel.generate(
-            new AnyModel.Models(inputs, given.metamodels, given.references.folders()),
+            given.of(inputs),
             new AnyModel.Template(template, with.sources, with.services, properties),
             new AnyModel.Target(
                 printsResult() ? Optional.empty() : Optional.of(output()),

@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.check.ModelFiles;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Mixin;
@@ -18,4 +19,9 @@ final class MetamodelOptions {
   List<Path> metamodels = List.of();
 
   @Mixin ReferenceOptions references = new ReferenceOptions();
+
+  /** Returns models of them. */
+  ModelFiles of(List<Path> models) {
+    return new ModelFiles(models, metamodels, references.folders());
+  }
 }

@@ -132,13 +132,7 @@ final class ValidateCommand extends ProjectCommand {
   private Outcome validate(List<Path> models) {
     Suppressions suppressions = suppressions();
     Validation validation =
-        ModelValidation.validate(
-            given.metamodels,
-            given.references.folders(),
-            constraints,
-            models,
-            messages,
-            timeLimit());
+        ModelValidation.validate(given.of(models), constraints, messages, timeLimit());
     Validation counted = allowEmpty ? validation.withoutNeedOfConstraints() : validation;
     return Outcome.of(counted.coverage(), counted.diagnostics(), suppressions);
   }

@@ -1,5 +1,6 @@
 package dev.eventchain.maven;
 
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Outcome;
@@ -84,7 +85,7 @@ public final class GenerateMojo extends ModelMojo {
     Suppressions suppressions = suppressions();
     WrittenFiles files =
         AnyModel.generate(
-            new AnyModel.Models(models(), metamodels(), references()),
+            new ModelFiles(models(), metamodels(), references()),
             new AnyModel.Template(
                 Places.shown(template),
                 Places.shown(sources),

@@ -1,5 +1,6 @@
 package dev.eventchain.maven;
 
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.check.ModelValidation;
 import dev.eventchain.check.Validation;
 import dev.eventchain.pipeline.Outcome;
@@ -48,10 +49,8 @@ public final class ValidateMojo extends ModelMojo {
   private Outcome validate(List<Path> models) {
     Validation validation =
         ModelValidation.validate(
-            metamodels(),
-            references(),
+            new ModelFiles(models, metamodels(), references()),
             Places.shown(constraints),
-            models,
             Places.shown(messages),
             timeLimit());
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions());

@@ -2,6 +2,7 @@ package dev.eventchain.maven;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.check.ModelValidation;
 import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.check.Validation;
@@ -29,10 +30,11 @@ class ThreadsTest {
     Path project = Path.of("src/it/modules", sample);
     Path folder = project.resolve("src/main");
     return ModelValidation.validate(
-        List.of(folder.resolve("rules/library.ecore")),
-        new ReferenceFolders(List.of(project), Map.of()),
+        new ModelFiles(
+            List.of(folder.resolve("models/town.library")),
+            List.of(folder.resolve("rules/library.ecore")),
+            new ReferenceFolders(List.of(project), Map.of())),
         List.of(folder.resolve("rules/library.ocl")),
-        List.of(folder.resolve("models/town.library")),
         List.of(),
         Duration.ofSeconds(30));
   }

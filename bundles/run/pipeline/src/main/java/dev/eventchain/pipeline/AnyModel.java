@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.check.ModelValidation;
 import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -41,22 +42,6 @@ import org.eclipse.emf.ecore.EPackage;
 
 /** Generation from models of any Ecore metamodel, without a project. */
 public final class AnyModel {
-
-  /**
-   * Models, and what they are read with.
-   *
-   * @param files the models; the template runs on their elements, and also sees those that they
-   *     reference in other files
-   * @param references where references may lead besides the folders of the files
-   */
-  public record Models(List<Path> files, List<Path> metamodels, ReferenceFolders references) {
-
-    /** Copies the lists. */
-    public Models {
-      files = List.copyOf(files);
-      metamodels = List.copyOf(metamodels);
-    }
-  }
 
   /**
    * The check of models before text is generated from them.
@@ -152,6 +137,7 @@ public final class AnyModel {
   /**
    * Generates text from models.
    *
+   * @param models those on whose elements the template runs; it also sees those that they refer to
    * @param template with its modules, services and properties
    * @param target the output
    * @return the findings; nothing is written if one of them is an error other than an undefined
@@ -159,10 +145,8 @@ public final class AnyModel {
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles generate(
-      Models models, Template template, Target target, Check check) {
-    ModelValidation any =
-        ModelValidation.read(
-            models.metamodels(), models.references(), models.files(), check.timeLimit());
+      ModelFiles models, Template template, Target target, Check check) {
+    ModelValidation any = ModelValidation.read(models, check.timeLimit());
     Map<String, Map<String, String>> properties = PropertyFiles.read(template.properties());
     try (JavaServices classes = JavaServices.of(template.services())) {
       TemplateModule module =
@@ -195,7 +179,7 @@ public final class AnyModel {
    *
    * @param metamodels the metamodels that the templates name; event chains, UML, and profiles of
    *     UML in the folders of the templates need not be named
-   * @param references as of {@link Models}
+   * @param references as of {@link ModelFiles}
    * @param templates each with its modules and services
    * @return the findings, each once
    * @throws DiagnosticException INPUT if a metamodel cannot be read, or a template is not there

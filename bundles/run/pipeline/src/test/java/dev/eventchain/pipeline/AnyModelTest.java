@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -101,7 +102,7 @@ class AnyModelTest {
 
   private WrittenFiles write(Path template, List<Path> services, String... models) {
     return AnyModel.generate(
-        new AnyModel.Models(
+        new ModelFiles(
             List.of(models).stream().map(folder::resolve).toList(),
             List.of(folder.resolve("shop.ecore")),
             ReferenceFolders.NONE),
@@ -145,7 +146,7 @@ class AnyModelTest {
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("BODY", body));
     WrittenFiles files =
         AnyModel.generate(
-            new AnyModel.Models(
+            new ModelFiles(
                 List.of(folder.resolve("bakery.xmi")),
                 List.of(folder.resolve("shop.ecore")),
                 ReferenceFolders.NONE),

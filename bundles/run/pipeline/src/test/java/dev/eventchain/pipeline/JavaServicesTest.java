@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions;
@@ -115,7 +116,7 @@ class JavaServicesTest {
   private List<Diagnostic> generate(String body) throws IOException {
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("BODY", body));
     return AnyModel.generate(
-            new AnyModel.Models(
+            new ModelFiles(
                 List.of(folder.resolve("model.xmi")),
                 List.of(folder.resolve("shop.ecore")),
                 ReferenceFolders.NONE),

@@ -2,8 +2,8 @@ package dev.eventchain.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.check.ModelValidation;
-import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -62,10 +62,8 @@ class PlantedFilesTest {
       throw new UncheckedIOException(e);
     }
     return ModelValidation.validate(
-            planted.metamodels(folder),
-            ReferenceFolders.NONE,
+            ModelFiles.of(planted.models(folder), planted.metamodels(folder)),
             planted.documents(folder),
-            planted.models(folder),
             List.of(),
             LIMIT)
         .diagnostics();

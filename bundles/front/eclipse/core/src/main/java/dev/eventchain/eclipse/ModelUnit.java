@@ -3,8 +3,8 @@ package dev.eventchain.eclipse;
 import dev.eventchain.check.EditorRules;
 import dev.eventchain.check.FileChecks;
 import dev.eventchain.check.Metamodels;
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.check.ModelValidation;
-import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -69,12 +69,7 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
         folder.map(ProjectFolder::ownConstraints).orElseGet(() -> aboutChains(rules));
     List<Path> messages = folder.map(ProjectFolder::messageFolders).orElse(List.of());
     return ModelValidation.validate(
-        List.of(),
-        ReferenceFolders.NONE,
-        documents,
-        List.of(path),
-        messages,
-        Preferences.timeLimit());
+        ModelFiles.of(List.of(path), List.of()), documents, messages, Preferences.timeLimit());
   }
 
   /** Returns the documents with constraints on event chains; the others use other metamodels. */
@@ -84,12 +79,7 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
 
   private Validation validate(List<Path> ecores, List<Path> documents) {
     return ModelValidation.validate(
-        ecores,
-        ReferenceFolders.NONE,
-        documents,
-        List.of(path),
-        List.of(),
-        Preferences.timeLimit());
+        ModelFiles.of(List.of(path), ecores), documents, List.of(), Preferences.timeLimit());
   }
 
   /** An event chain of another version is an event chain, although its namespace is unknown. */

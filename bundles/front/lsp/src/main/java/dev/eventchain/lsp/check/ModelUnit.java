@@ -3,8 +3,8 @@ package dev.eventchain.lsp.check;
 import dev.eventchain.check.EditorRules;
 import dev.eventchain.check.FileChecks;
 import dev.eventchain.check.Metamodels;
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.check.ModelValidation;
-import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -42,7 +42,7 @@ record ModelUnit(Path subject, List<Path> metamodels, List<Path> rules, Duration
 
   private List<Diagnostic> validate(List<Path> ecores, List<Path> documents) {
     return ModelValidation.validate(
-            ecores, ReferenceFolders.NONE, documents, List.of(subject), List.of(), timeLimit)
+            ModelFiles.of(List.of(subject), ecores), documents, List.of(), timeLimit)
         .withoutNeedOfConstraints()
         .diagnostics();
   }

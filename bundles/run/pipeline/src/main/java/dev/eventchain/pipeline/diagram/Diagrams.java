@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.diagram;
 
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -74,11 +75,13 @@ public final class Diagrams {
   private final Path source;
   private Origins origins = new Origins();
 
-  private Diagrams(List<Path> ecores, ReferenceFolders references, List<Path> models) {
-    List<Path> files = Stream.concat(models.stream(), ecores.stream()).toList();
+  private Diagrams(ModelFiles models) {
+    List<Path> files =
+        Stream.concat(models.files().stream(), models.metamodels().stream()).toList();
+    ReferenceFolders references = models.references();
     XmiStore store = EventChainMetamodel.store(references.after(files), references.map());
-    ecores.forEach(ecore -> metamodels.addAll(store.loadMetamodel(ecore)));
-    for (LoadedModel model : store.loadAll(models)) {
+    models.metamodels().forEach(ecore -> metamodels.addAll(store.loadMetamodel(ecore)));
+    for (LoadedModel model : store.loadAll(models.files())) {
       roots.addAll(model.roots());
       origins = model.origins();
     }
@@ -91,22 +94,14 @@ public final class Diagrams {
   /**
    * Writes {@code KIND.puml} and {@code KIND.svg} for each kind.
    *
-   * @param ecores the model's metamodels; none for event chains
-   * @param references where references may lead besides the folders of the files
-   * @param models the models to draw; may be empty if only metamodels are drawn
+   * @param models the models to draw; without files if only metamodels are drawn
    * @param onEdit what becomes of files that a person has edited
    * @return the findings; a diagram with an error is not written, but the text of one that PlantUML
    *     cannot lay out
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
-  public static WrittenFiles draw(
-      Set<Kind> kinds,
-      List<Path> ecores,
-      ReferenceFolders references,
-      List<Path> models,
-      Path folder,
-      OnEdit onEdit) {
-    Diagrams diagrams = new Diagrams(ecores, references, models);
+  public static WrittenFiles draw(Set<Kind> kinds, ModelFiles models, Path folder, OnEdit onEdit) {
+    Diagrams diagrams = new Diagrams(models);
     WrittenFiles files = new WrittenFiles(Optional.of(folder));
     try (OutputFolder output = OutputFolder.open(folder)) {
       for (Kind kind : kinds) {

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.check.ReferenceFolders;
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.model.eventchain.ChainMeasurement;
@@ -191,9 +191,7 @@ class DiagramsTest {
     List<Diagnostic> found =
         Diagrams.draw(
                 EnumSet.of(Kind.METAMODEL),
-                List.of(ecore),
-                ReferenceFolders.NONE,
-                List.of(),
+                ModelFiles.of(List.of(), List.of(ecore)),
                 folder.resolve("out"),
                 OnEdit.KEEP)
             .diagnostics();
@@ -322,9 +320,7 @@ class DiagramsTest {
     WrittenFiles files =
         Diagrams.draw(
             EnumSet.of(Kind.METAMODEL),
-            List.of(file),
-            ReferenceFolders.NONE,
-            List.of(),
+            ModelFiles.of(List.of(), List.of(file)),
             folder.resolve("out"),
             OnEdit.KEEP);
 
@@ -371,12 +367,7 @@ class DiagramsTest {
   private List<Diagnostic> draw(EventChain chain, Set<Kind> kinds) throws IOException {
     Path model = Files.write(folder.resolve("model.xmi"), XmiStore.toBytes(chain));
     return Diagrams.draw(
-            kinds,
-            List.of(),
-            ReferenceFolders.NONE,
-            List.of(model),
-            folder.resolve("out"),
-            OnEdit.KEEP)
+            kinds, ModelFiles.of(List.of(model), List.of()), folder.resolve("out"), OnEdit.KEEP)
         .diagnostics();
   }
 

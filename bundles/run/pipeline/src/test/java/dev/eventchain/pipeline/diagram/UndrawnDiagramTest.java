@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.check.ReferenceFolders;
+import dev.eventchain.check.ModelFiles;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.diagram.Diagrams.Kind;
@@ -32,9 +32,7 @@ class UndrawnDiagramTest {
   private WrittenFiles draw() {
     return Diagrams.draw(
         EnumSet.of(Kind.INSTANCE),
-        List.of(FILES.resolve("plan.ecore")),
-        ReferenceFolders.NONE,
-        List.of(FILES.resolve("m.xmi")),
+        ModelFiles.of(List.of(FILES.resolve("m.xmi")), List.of(FILES.resolve("plan.ecore"))),
         folder.resolve("out"),
         OnEdit.KEEP);
   }
