@@ -67,7 +67,7 @@ public final class RequirementSources {
   private static Optional<RequirementSource> named(
       String file, ObjectReader settings, Path folder) {
     return path(file, settings, SETTING, folder)
-        .map(it -> new RequirementSource(it, Only.ALL, Fields.USUAL, settings.at(SETTING)));
+        .map(it -> new RequirementSource(it, folder, Only.ALL, Fields.USUAL, settings.at(SETTING)));
   }
 
   private static Optional<RequirementSource> source(ObjectReader source, Path folder) {
@@ -75,7 +75,7 @@ public final class RequirementSources {
     Only only = source.object("only").map(RequirementSources::only).orElse(Only.ALL);
     Fields fields = source.object("fields").map(RequirementSources::fields).orElse(Fields.USUAL);
     source.refuseOthers();
-    return file.map(it -> new RequirementSource(it, only, fields, source.location()));
+    return file.map(it -> new RequirementSource(it, folder, only, fields, source.location()));
   }
 
   private static Only only(ObjectReader only) {
@@ -162,15 +162,19 @@ public final class RequirementSources {
   }
 
   private RequirementSources like(Path other) {
+    Path project = ProjectFolder.around(other).map(ProjectFolder::folder).orElse(other);
     RequirementSource usual =
-        new RequirementSource(other, Only.ALL, Fields.USUAL, SourceLocation.of(other));
+        new RequirementSource(other, project, Only.ALL, Fields.USUAL, SourceLocation.of(other));
     return new RequirementSources(
         List.of(
             sources.stream()
                 .filter(each -> name(each.file()).equals(name(other)))
                 .findFirst()
                 .or(() -> sources.stream().filter(each -> isAlike(each.file(), other)).findFirst())
-                .map(each -> new RequirementSource(other, each.only(), each.fields(), each.place()))
+                .map(
+                    each ->
+                        new RequirementSource(
+                            other, project, each.only(), each.fields(), each.place()))
                 .orElse(usual)));
   }
 
@@ -200,7 +204,7 @@ public final class RequirementSources {
    */
   public List<Path> files() {
     return sources.stream()
-        .flatMap(source -> SourceRequirements.files(source.file()).stream())
+        .flatMap(source -> SourceRequirements.files(source).stream())
         .distinct()
         .toList();
   }

@@ -1,6 +1,7 @@
 package dev.eventchain.project;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -92,6 +93,37 @@ class RequirementLimitsTest {
     }
     write("a.rst", deep.toString());
     assertTrue(refusal("a.rst").contains("More than 20 directives are in each other."));
+  }
+
+  @Test
+  void filesInEachOtherHaveLimits() throws IOException {
+    for (int i = 0; i < 30; i++) {
+      write(i + ".rst", ".. include:: " + (i + 1) + ".rst\n");
+    }
+    write("30.rst", "REQ-1: It shall be.\n");
+    assertTrue(refusal("0.rst").contains("More than 20 files are in each other"));
+    assertEquals("REQ-1", read("12.rst").items().get(0).id());
+    for (int i = 18; i < 30; i++) {
+      write(i + ".rst", (".. include:: " + (i + 1) + ".rst\n").repeat(2));
+    }
+    assertTrue(refusal("18.rst").contains("in each other, 1000 in all"), refusal("18.rst"));
+  }
+
+  @Test
+  void filesThatOthersTakeInBelongToTheSource() throws IOException {
+    Path outside = Files.createDirectories(folder.resolve("outside"));
+    Path project = Files.createDirectories(folder.resolve("project"));
+    Files.writeString(outside.resolve("secret.rst"), "REQ-2: It shall be secret.\n");
+    Files.createSymbolicLink(project.resolve("link.rst"), outside.resolve("secret.rst"));
+    Files.writeString(project.resolve("part.inc"), "REQ-1: It shall be.\n");
+    Files.writeString(project.resolve("a.rst"), ".. include:: part.inc\n.. include:: link.rst\n");
+    Files.writeString(project.resolve("eventchain.yaml"), "name: a\nrequirements: a.rst\n");
+    ProjectFolder read = new ProjectFolder(project);
+    assertTrue(read.requirementFiles().contains(project.resolve("part.inc")));
+    assertFalse(read.requirementFiles().contains(project.resolve("link.rst")));
+    assertEquals(1, read.readRequirements().items().size());
+    String said = DiagnosticFormat.TEXT.render(read.readRequirements().diagnostics());
+    assertTrue(said.contains("a.rst:2:1: warning: 'link.rst' is outside of the folders"), said);
   }
 
   private void write(String name, String text) throws IOException {

@@ -1,6 +1,8 @@
 package dev.eventchain.project.requirements;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -14,8 +16,68 @@ final class MarkdownBlocks extends TextBlocks {
   private static final Pattern UNDERLINE = Pattern.compile(" {0,3}(=+|-{3,})\\s*");
   private static final Pattern BAR = Pattern.compile("(?<!\\\\)\\|");
 
-  MarkdownBlocks(List<String> lines) {
-    super(lines, 0);
+  /** Columns by which code is indented, and to which tabs lead. */
+  private static final int CODE = 4;
+
+  /** Columns at which the texts begin of the entries that are open, the outermost first. */
+  private final Deque<Integer> entries = new ArrayDeque<>();
+
+  MarkdownBlocks(List<String> lines, int before) {
+    super(lines, before);
+  }
+
+  /** Skips code by its indent, which counts from the text of the entry that it belongs to. */
+  @Override
+  boolean skipCode() {
+    int column = column(lines.get(next), indent(lines.get(next)));
+    while (!entries.isEmpty() && entries.peekLast() > column) {
+      entries.removeLast();
+    }
+    if (!isCode(next)) {
+      return false;
+    }
+    int least = around(column) + CODE;
+    while (next < lines.size()
+        && (lines.get(next).isBlank()
+            || column(lines.get(next), indent(lines.get(next))) >= least)) {
+      next++;
+    }
+    return true;
+  }
+
+  @Override
+  boolean isEntry(int index) {
+    return super.isEntry(index) && !isCode(index);
+  }
+
+  @Override
+  void enter(String line, int content) {
+    int mark = line.substring(0, content).stripTrailing().length();
+    boolean isCode = column(line, content) - column(line, mark) > CODE;
+    entries.addLast(isCode ? column(line, mark) + 1 : column(line, content));
+  }
+
+  private boolean isCode(int index) {
+    int column = column(lines.get(index), indent(lines.get(index)));
+    return column - around(column) >= CODE;
+  }
+
+  /** Returns where the text begins of the innermost entry that a line may belong to; else 0. */
+  private int around(int column) {
+    int found = 0;
+    for (int each : entries) {
+      found = each <= column ? each : found;
+    }
+    return found;
+  }
+
+  /** Returns the column of a character in a line, with its tabs. */
+  private static int column(String line, int at) {
+    int column = 0;
+    for (int i = 0; i < at; i++) {
+      column += line.charAt(i) == '\t' ? CODE - column % CODE : 1;
+    }
+    return column;
   }
 
   @Override

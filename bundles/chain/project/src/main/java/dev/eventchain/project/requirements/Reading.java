@@ -4,6 +4,7 @@ import static java.util.stream.Collectors.groupingBy;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.nio.file.Path;
@@ -22,6 +23,10 @@ final class Reading {
   static final int LONGEST = 32 << 20;
 
   final RequirementSource.Fields fields;
+
+  /** The types that count; empty if all do. */
+  final List<String> types;
+
   final List<Item> items = new ArrayList<>();
   final List<Diagnostic> findings = new ArrayList<>();
   private final List<Downward> downward = new ArrayList<>();
@@ -33,8 +38,9 @@ final class Reading {
 
   private record Referred(Item child, String name, SourceLocation place) {}
 
-  Reading(RequirementSource.Fields fields) {
+  Reading(RequirementSource.Fields fields, List<String> types) {
     this.fields = fields;
+    this.types = types;
   }
 
   /** Adds a link from a parent to its child, which may be read later. */
@@ -102,6 +108,11 @@ final class Reading {
   /** Reports what cannot be read, and goes on. */
   void unread(String message, SourceLocation place, String hint) {
     findings.add(refusal(message, place, hint));
+  }
+
+  /** Reports what is passed over, by a rule. */
+  void unread(String message, SourceLocation place, String hint, Rule rule) {
+    findings.add(Diagnostic.of(rule, message, place).withHint(hint));
   }
 
   /** Returns the exception for a file that cannot be read. */

@@ -9,11 +9,13 @@ import java.util.Optional;
  * A file or folder of requirements that a project names, with the choice of its items.
  *
  * @param file the file or folder
+ * @param project the folder of the project, in which texts of the source may name further files
  * @param only the items that count
  * @param fields the names of the fields that hold what is read
  * @param place where the project names it
  */
-public record RequirementSource(Path file, Only only, Fields fields, SourceLocation place) {
+public record RequirementSource(
+    Path file, Path project, Only only, Fields fields, SourceLocation place) {
 
   /**
    * The items that count: those with one of the types, one of the statuses and one of the tags. An

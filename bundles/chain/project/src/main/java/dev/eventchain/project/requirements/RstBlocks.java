@@ -1,10 +1,12 @@
 package dev.eventchain.project.requirements;
 
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -29,7 +31,6 @@ final class RstBlocks extends TextBlocks {
           "math",
           "raw",
           "parsed-literal",
-          "toctree",
           "image",
           "uml",
           "graphviz",
@@ -38,20 +39,33 @@ final class RstBlocks extends TextBlocks {
   /** Greatest number of directives in each other. */
   private static final int DEEPEST = 20;
 
+  private final RstFiles.Open file;
   private final SourceText source;
+  private final RstFiles files;
   private final Reading reading;
   private final int depth;
-  private final List<String> levels = new ArrayList<>();
+  private final List<String> levels;
 
-  RstBlocks(List<String> lines, SourceText source, Reading reading) {
-    this(lines, 0, 0, source, reading);
+  RstBlocks(List<String> lines, RstFiles.Open file, RstFiles files, Reading reading) {
+    super(lines, 0);
+    this.depth = 0;
+    this.levels = new ArrayList<>();
+    this.file = file;
+    this.source = file.source();
+    this.files = files;
+    this.reading = reading;
   }
 
-  private RstBlocks(List<String> lines, int before, int depth, SourceText source, Reading reading) {
+  /** Creates a reader of what is inside of another text, or of a file that it takes in. */
+  private RstBlocks(
+      List<String> lines, int before, RstFiles.Open file, List<String> levels, RstBlocks around) {
     super(lines, before);
-    this.depth = depth;
-    this.source = source;
-    this.reading = reading;
+    this.depth = around.depth + 1;
+    this.levels = levels;
+    this.file = file;
+    this.source = file.source();
+    this.files = around.files;
+    this.reading = around.reading;
   }
 
   @Override
@@ -139,10 +153,19 @@ final class RstBlocks extends TextBlocks {
     int body = next;
     skipBelow(indent);
     List<String> content = new ArrayList<>(lines.subList(body, next));
-    String name = directive.group(1);
     String title = directive.group(2) == null ? "" : directive.group(2).strip();
-    RstTables tables = new RstTables(number(first), options, content, before + body);
-    if (name.equals("list-table")) {
+    read(directive.group(1), title, options, content, first);
+  }
+
+  private void read(
+      String name, String title, Map<String, String> options, List<String> content, int first) {
+    int above = before + next - content.size();
+    RstTables tables = new RstTables(number(first), options, content, above);
+    if (name.equals("include")) {
+      include(title, options, first);
+    } else if (name.equals("toctree")) {
+      documents(content, above);
+    } else if (name.equals("list-table")) {
       tables.ofLists(source, reading).ifPresent(blocks::add);
     } else if (name.equals("csv-table")) {
       tables.ofCsv(source, reading).ifPresent(blocks::add);
@@ -150,16 +173,47 @@ final class RstBlocks extends TextBlocks {
       String text = String.join(" ", content);
       blocks.add(new TextBlock.Directive(number(first), name, title, options, text));
     } else if (!CODE.contains(name)) {
-      inner(content, before + body);
+      inner(content, above);
+    }
+  }
+
+  /** Reads a file in the place of a directive, with its indent, unless it is code. */
+  private void include(String name, Map<String, String> options, int at) {
+    boolean isCode = options.containsKey("literal") || options.containsKey("code");
+    if (isCode || name.matches("<.*>")) {
+      return;
+    }
+    SourceLocation place = source.at(number(at), 1);
+    Optional<RstFiles.Open> named = files.include(file, name, place);
+    Optional<RstFiles.Part> part = named.flatMap(it -> files.part(it, options, place));
+    if (part.isPresent()) {
+      String indent = " ".repeat(indent(lines.get(at)));
+      List<String> text = new ArrayList<>();
+      part.get().lines().forEach(line -> text.add(line.isBlank() ? line : indent + line));
+      SourceText of = named.get().source();
+      boolean isMarkdown =
+          options.containsKey("parser") && SourceFiles.has(named.get().file(), ".md");
+      TextBlocks inside =
+          isMarkdown
+              ? new MarkdownBlocks(text, part.get().before())
+              : new RstBlocks(text, part.get().before(), named.get(), levels, this);
+      blocks.add(new TextBlock.Included(number(at), of, inside.read()));
+    }
+  }
+
+  private void documents(List<String> content, int above) {
+    for (int i = 0; i < content.size(); i++) {
+      SourceLocation place = source.at(above + i + 1, 1);
+      RstReferences.document(content.get(i)).ifPresent(it -> files.document(file, it, place));
     }
   }
 
   private void inner(List<String> content, int above) {
-    if (depth == DEEPEST) {
+    if (depth >= DEEPEST) {
       String message = "More than %d directives are in each other.".formatted(DEEPEST);
       throw Reading.refused(message, source.at(above, 1), "Take some of them out.");
     }
-    blocks.addAll(new RstBlocks(content, above, depth + 1, source, reading).read());
+    blocks.addAll(new RstBlocks(content, above, file, new ArrayList<>(), this).read());
   }
 
   private String idOption() {

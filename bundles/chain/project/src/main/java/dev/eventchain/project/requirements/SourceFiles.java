@@ -10,10 +10,13 @@ import java.nio.file.FileVisitOption;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
@@ -30,11 +33,20 @@ final class SourceFiles {
   private SourceFiles() {}
 
   /**
-   * Returns the files that are read of a source, sorted. They need not exist.
+   * Returns the files that may be read of a source: its own, sorted, and after them those that its
+   * texts name. They need not exist.
    *
    * @throws DiagnosticException INPUT if a folder cannot be read
    */
-  static List<Path> of(Path source) {
+  static List<Path> of(RequirementSource source) {
+    List<Path> own = own(source.file());
+    List<Path> texts = own.stream().filter(SourceFiles::isText).toList();
+    Set<Path> all = new LinkedHashSet<>(own);
+    all.addAll(new RstReferences(texts, new TextFolders(source)).files());
+    return List.copyOf(all);
+  }
+
+  private static List<Path> own(Path source) {
     if (Files.isDirectory(source)) {
       List<Path> all = below(source);
       List<Path> ofTools = all.stream().filter(SourceFiles::isRead).toList();
@@ -122,9 +134,8 @@ final class SourceFiles {
 
   /** Reads all items of a source. */
   static void read(RequirementSource source, Reading reading) {
-    List<Path> files = of(source.file());
+    List<Path> files = own(source.file());
     TrlcTypes types = new TrlcTypes();
-    TextItems texts = new TextItems(reading);
     Map<Path, List<Path>> documents = new TreeMap<>();
     for (Path file : files) {
       if (has(file, ".rsl")) {
@@ -135,13 +146,11 @@ final class SourceFiles {
       }
     }
     for (Path file : files) {
-      if (isText(file)) {
-        Reading.file(file, reading, text -> done(() -> texts.read(text)));
-      } else {
+      if (!isText(file)) {
         readFile(file, files, types, reading);
       }
     }
-    texts.end();
+    readTexts(source, files.stream().filter(SourceFiles::isText).toList(), reading);
     documents.forEach(
         (settings, items) -> DoorstopReader.read(shown(settings, source), items, reading));
     if (files.isEmpty()) {
@@ -150,6 +159,33 @@ final class SourceFiles {
           SourceLocation.of(source.file()),
           "These are .reqif, .reqifz, .sdoc, .trlc, needs.json, the folders of Doorstop, .md and .rst.");
     }
+  }
+
+  /**
+   * Reads texts, and those that they name. A text that another one takes in is read there, with
+   * what is around it; only where none does, it is read by itself.
+   */
+  private static void readTexts(RequirementSource source, List<Path> own, Reading reading) {
+    TextFolders folders = new TextFolders(source);
+    RstFiles files = new RstFiles(reading, folders);
+    TextItems texts = new TextItems(reading, files);
+    Set<Path> parts = new RstReferences(own, folders).included();
+    Set<Path> done = new HashSet<>();
+    List<Path> open = new ArrayList<>(own.stream().filter(it -> !isIn(parts, it)).toList());
+    open.addAll(own.stream().filter(it -> isIn(parts, it)).toList());
+    for (int i = 0; i < open.size(); i++) {
+      Path file = open.get(i).normalize();
+      if (done.add(file) && !files.isIncluded(file)) {
+        Reading.file(file, reading, text -> done(() -> texts.read(file, text)));
+      }
+      boolean isLast = i + 1 == open.size();
+      files.documents().stream().filter(it -> isLast && !done.contains(it)).forEach(open::add);
+    }
+    texts.end();
+  }
+
+  private static boolean isIn(Set<Path> files, Path file) {
+    return files.contains(file.normalize());
   }
 
   private static void addItem(List<Path> items, Path file) {

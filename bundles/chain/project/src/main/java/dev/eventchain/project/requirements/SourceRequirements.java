@@ -41,11 +41,11 @@ public record SourceRequirements(
   }
 
   /**
-   * Returns the files that are read of a source. They need not exist.
+   * Returns the files that may be read of a source. They need not exist.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a folder cannot be read
    */
-  public static List<Path> files(Path source) {
+  public static List<Path> files(RequirementSource source) {
     return SourceFiles.of(source);
   }
 
@@ -56,7 +56,7 @@ public record SourceRequirements(
    *     read at all
    */
   public static SourceRequirements read(RequirementSource source) {
-    Reading reading = new Reading(source.fields());
+    Reading reading = new Reading(source.fields(), source.only().types());
     SourceFiles.read(source, reading);
     reading.link();
     List<Diagnostic> found = new ArrayList<>(reading.findings);

@@ -1,5 +1,6 @@
 package dev.eventchain.project.requirements;
 
+import dev.eventchain.diagnostics.SourceText;
 import java.util.List;
 import java.util.Map;
 
@@ -33,4 +34,7 @@ sealed interface TextBlock {
   /** A directive of reStructuredText, such as a need of sphinx-needs. */
   record Directive(int line, String name, String title, Map<String, String> options, String content)
       implements TextBlock {}
+
+  /** The blocks of another file, which a text takes in. */
+  record Included(int line, SourceText source, List<TextBlock> blocks) implements TextBlock {}
 }

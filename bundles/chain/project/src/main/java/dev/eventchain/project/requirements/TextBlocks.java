@@ -30,14 +30,33 @@ abstract class TextBlocks {
     while (next < lines.size()) {
       if (lines.get(next).isBlank()) {
         next++;
-      } else if (isSpecial(next)) {
-        special();
-      } else {
-        plain();
+      } else if (!skipCode()) {
+        if (isSpecial(next)) {
+          special();
+        } else {
+          plain();
+        }
       }
     }
     return blocks;
   }
+
+  /** Goes on behind code that begins in the next line; returns whether there is any. */
+  boolean skipCode() {
+    return false;
+  }
+
+  /** Returns whether an entry of a list begins in a line, which ends a paragraph above it. */
+  boolean isEntry(int index) {
+    return ENTRY.matcher(lines.get(index)).matches();
+  }
+
+  /**
+   * Begins an entry of a list.
+   *
+   * @param content where its text begins in its line
+   */
+  void enter(String line, int content) {}
 
   /** Returns whether a block of the format begins in a line, which ends a paragraph above it. */
   abstract boolean isSpecial(int index);
@@ -49,13 +68,16 @@ abstract class TextBlocks {
     int first = next;
     Matcher entry = ENTRY.matcher(lines.get(first));
     boolean isEntry = entry.matches();
+    if (isEntry) {
+      enter(lines.get(first), entry.start(1));
+    }
     List<String> own = new ArrayList<>();
     own.add(isEntry ? entry.group(1).strip() : lines.get(first).strip());
     next++;
     while (next < lines.size()
         && !lines.get(next).isBlank()
         && !isSpecial(next)
-        && !ENTRY.matcher(lines.get(next)).matches()) {
+        && !isEntry(next)) {
       own.add(lines.get(next++).strip());
     }
     blocks.add(new TextBlock.Lines(number(first), indent(lines.get(first)), isEntry, own));

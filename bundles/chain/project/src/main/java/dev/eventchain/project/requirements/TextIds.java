@@ -22,6 +22,7 @@ final class TextIds {
   private static final Pattern WHOLE = Pattern.compile(ID);
   private static final Pattern HEADING =
       Pattern.compile("[\\[(*`]*(" + ID + ")(?![A-Za-z0-9_]|-[A-Za-z0-9])[\\])*`]*(.*)");
+  private static final Pattern MARK = Pattern.compile("\\s*+(?:[:|]|[-–—](?=\\s))");
   private static final Pattern LINE =
       Pattern.compile(
           "(?:[*`\\[]+("
@@ -37,8 +38,7 @@ final class TextIds {
   private static final Pattern TAG = Pattern.compile("<[^<>]*+>");
   private static final Pattern ANCHOR = Pattern.compile("\\{#[^{}]*+\\}$");
   private static final Pattern LINK = Pattern.compile("\\[([^\\[\\]]*+)\\](\\([^()]*+\\))?");
-  private static final Pattern ROLE =
-      Pattern.compile("(?::[A-Za-z_-]{1,40}){1,3}:`([^`]*+)`");
+  private static final Pattern ROLE = Pattern.compile("(?::[A-Za-z_-]{1,40}){1,3}:`([^`]*+)`");
   private static final Pattern PREFIX =
       Pattern.compile("(.{0,200}?[A-Za-z])[-_./]?[0-9][0-9A-Za-z._-]{0,200}");
 
@@ -59,6 +59,11 @@ final class TextIds {
     return found.matches()
         ? Optional.of(new Named(found.group(1), found.group(2)))
         : Optional.empty();
+  }
+
+  /** Returns whether a heading sets an id apart: by brackets, emphasis, a colon or a dash. */
+  static boolean isMarked(String text, Named heading) {
+    return "[(*`".indexOf(text.strip().charAt(0)) >= 0 || MARK.matcher(heading.text()).lookingAt();
   }
 
   /** Returns the id with which a line begins that goes on with its text. */
@@ -83,8 +88,7 @@ final class TextIds {
     return found.matches()
         ? Optional.of(
             new Named(
-                found.group(1).strip().toLowerCase(Locale.ROOT),
-                withoutEnd(found.group(2), "*_")))
+                found.group(1).strip().toLowerCase(Locale.ROOT), withoutEnd(found.group(2), "*_")))
         : Optional.empty();
   }
 

@@ -3,6 +3,7 @@ package dev.eventchain.project.requirements;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -24,21 +25,59 @@ final class TextItems {
   private static final int LONGEST_LINE = 10_000;
 
   private final Reading reading;
-  private final List<SourceText> texts = new ArrayList<>();
+  private final RstFiles files;
+  private final TextKinds kinds;
+  private final TextForms forms = new TextForms();
+  private final List<Text> texts = new ArrayList<>();
+  private final List<SourceText> read = new ArrayList<>();
   private final List<Mentioned> mentioned = new ArrayList<>();
+  private final Set<String> places = new HashSet<>();
   private final Set<String> known = new HashSet<>();
-  private final Set<String> kinds = new TreeSet<>();
+  private final Set<String> prefixes = new TreeSet<>();
+
+  /** A text, and what it consists of. */
+  private record Text(SourceText source, List<TextBlock> blocks) {}
 
   /** Id of a row without a text. */
   private record Mentioned(String id, SourceText source, int line) {}
 
-  TextItems(Reading reading) {
+  TextItems(Reading reading, RstFiles files) {
     this.reading = reading;
+    this.files = files;
+    this.kinds = new TextKinds(reading);
   }
 
-  /** Reads a text. */
-  void read(SourceText source) {
-    texts.add(source);
+  /** Reads a text, which is read once. */
+  void read(Path file, SourceText source) {
+    boolean markdown = source.name().toLowerCase(Locale.ROOT).endsWith(".md");
+    List<String> lines = lines(source);
+    TextBlocks blocks =
+        markdown
+            ? new MarkdownBlocks(lines, 0)
+            : new RstBlocks(lines, new RstFiles.Open(source, file), files, reading);
+    Text text = new Text(source, blocks.read());
+    texts.add(text);
+    keep(text.blocks());
+    read.add(source);
+    kinds.see(text.blocks());
+    forms.see(source, text.blocks());
+  }
+
+  private void keep(List<TextBlock> blocks) {
+    for (TextBlock block : blocks) {
+      if (block instanceof TextBlock.Included included) {
+        read.add(included.source());
+        keep(included.blocks());
+      }
+    }
+  }
+
+  /**
+   * Returns the lines of a text.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if one is too long
+   */
+  static List<String> lines(SourceText source) {
     List<String> lines = new ArrayList<>(source.text().lines().toList());
     for (int i = 0; i < lines.size(); i++) {
       if (lines.get(i).length() > LONGEST_LINE) {
@@ -46,26 +85,38 @@ final class TextItems {
         throw Reading.refused(message, source.at(i + 1, 1), "Divide it.");
       }
     }
-    boolean markdown = source.name().toLowerCase(Locale.ROOT).endsWith(".md");
-    TextBlocks blocks =
-        markdown ? new MarkdownBlocks(lines) : new RstBlocks(lines, source, reading);
-    TextOutline outline = new TextOutline(source, reading);
-    for (TextBlock block : blocks.read()) {
+    return lines;
+  }
+
+  private void add(Text text) {
+    TextOutline outline = new TextOutline(text.source(), kinds, reading);
+    add(text.blocks(), outline);
+    outline.items().forEach(this::add);
+  }
+
+  private void add(List<TextBlock> blocks, TextOutline outline) {
+    for (TextBlock block : blocks) {
       if (block instanceof TextBlock.Table table) {
-        table(table, source, outline);
+        table(table, outline.source(), outline);
+      } else if (block instanceof TextBlock.Included included) {
+        SourceText around = outline.source();
+        outline.goTo(included.source());
+        add(included.blocks(), outline);
+        outline.goTo(around);
       } else {
         outline.add(block);
       }
     }
-    for (Item item : outline.items()) {
-      add(item);
-    }
   }
 
+  /** Adds an item, unless a file with it was taken in before. */
   private void add(Item item) {
+    if (!places.add(item.location + " " + item.id)) {
+      return;
+    }
     known.add(plain(item.id));
     Optional<String> kind = TextIds.prefix(item.id);
-    kind.ifPresent(kinds::add);
+    kind.ifPresent(prefixes::add);
     if (item.type.isEmpty()) {
       item.type = kind;
     } else {
@@ -115,8 +166,11 @@ final class TextItems {
     }
   }
 
-  /** Finds ids that are none of an item, after all texts were read. */
+  /** Adds the items of all texts, and finds ids that are none of an item. */
   void end() {
+    texts.forEach(this::add);
+    kinds.report();
+    forms.report(reading, known, prefixes);
     for (Mentioned each : mentioned) {
       if (TextIds.isId(each.id()) && known.add(plain(each.id()))) {
         find("No item has the id '" + each.id() + "'.", each.source(), each.line());
@@ -125,17 +179,20 @@ final class TextItems {
     if (known.isEmpty() && !texts.isEmpty()) {
       reading.unread(
           "There is no requirement in this text.",
-          texts.get(0).at(0),
+          texts.get(0).source().at(0),
           "Write a table with columns 'ID' and 'Text', headings '### REQ-1 Title' or items '- REQ-1: text'.");
     }
-    if (kinds.isEmpty()) {
-      return;
+    if (!prefixes.isEmpty()) {
+      findMentioned();
     }
-    String any = String.join("|", kinds.stream().map(Pattern::quote).toList());
+  }
+
+  private void findMentioned() {
+    String any = String.join("|", prefixes.stream().map(Pattern::quote).toList());
     Pattern id =
         Pattern.compile(
             "(?<![A-Za-z0-9_./-])(?:" + any + ")[-_./]?[0-9]{1,20}(?:\\.[0-9]{1,20}){0,8}");
-    for (SourceText source : texts) {
+    for (SourceText source : read) {
       Matcher found = id.matcher(source.text());
       while (found.find()) {
         if (known.add(plain(found.group()))) {

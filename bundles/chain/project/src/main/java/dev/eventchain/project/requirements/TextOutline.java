@@ -1,5 +1,6 @@
 package dev.eventchain.project.requirements;
 
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
@@ -35,8 +36,9 @@ final class TextOutline {
           "validation",
           "tests");
 
-  private final SourceText source;
   private final Reading reading;
+  private final TextKinds kinds;
+  private SourceText source;
   private final List<Open> all = new ArrayList<>();
   private Open heading;
   private Open entry;
@@ -45,28 +47,38 @@ final class TextOutline {
   private static final class Open {
     final String id;
     final String title;
-    final int line;
+    final SourceLocation place;
     final int depth; // level of a heading, or indent of a line
     final StringBuilder text = new StringBuilder();
     final List<TextIds.Named> facts = new ArrayList<>();
     Item done;
 
-    Open(String id, String title, int line, int depth) {
+    Open(String id, String title, SourceLocation place, int depth) {
       this.id = id;
       this.title = title;
-      this.line = line;
+      this.place = place;
       this.depth = depth;
     }
   }
 
-  TextOutline(SourceText source, Reading reading) {
+  TextOutline(SourceText source, TextKinds kinds, Reading reading) {
     this.source = source;
+    this.kinds = kinds;
     this.reading = reading;
+  }
+
+  SourceText source() {
+    return source;
+  }
+
+  /** Goes on in another file, or back in the one that takes it in. */
+  void goTo(SourceText file) {
+    source = file;
   }
 
   /** Adds an item that is complete. */
   void add(Item item) {
-    Open open = new Open(item.id, "", 0, 0);
+    Open open = new Open(item.id, "", item.location, 0);
     open.done = item;
     all.add(open);
     entry = null;
@@ -87,7 +99,8 @@ final class TextOutline {
 
   private void heading(TextBlock.Heading found) {
     entry = null;
-    Optional<TextIds.Named> named = TextIds.ofHeading(found.text());
+    Optional<TextIds.Named> named =
+        TextIds.ofHeading(found.text()).filter(it -> isItem(it, kinds.isHeading(it), found.line()));
     boolean continues =
         heading != null
             && heading.text.isEmpty()
@@ -102,23 +115,31 @@ final class TextOutline {
             "Write a heading for each.");
       }
       String title = named.get().text().replaceFirst("^\\s*[-:.|–—]*\\s*", "");
-      heading = new Open(named.get().id(), title, found.line(), found.level());
+      heading = new Open(named.get().id(), title, source.at(found.line(), 1), found.level());
       all.add(heading);
     } else if (!continues) {
       heading = null;
     }
   }
 
+  private boolean isItem(TextIds.Named named, boolean isItem, int line) {
+    if (!isItem) {
+      kinds.pass(named, source, line);
+    }
+    return isItem;
+  }
+
   private void lines(TextBlock.Lines found) {
     boolean below = entry != null && found.indent() > entry.depth;
     int number = 0;
     for (String line : found.lines()) {
-      Optional<TextIds.Named> named = TextIds.ofLine(line);
-      Optional<TextIds.Named> fact = TextIds.ofFact(line).filter(this::isKnown);
+      int at = found.line() + number;
+      Optional<TextIds.Named> named =
+          TextIds.ofLine(line).filter(it -> isItem(it, kinds.isLine(it), at));
+      Optional<TextIds.Named> fact = TextIds.ofFact(line).filter(it -> isKnown(it, reading.fields));
       Open owner = below || (number > 0 && entry != null) ? entry : heading;
       if (named.isPresent()) {
-        int at = found.line() + number;
-        entry = new Open(named.get().id(), "", at, found.indent());
+        entry = new Open(named.get().id(), "", source.at(at, 1), found.indent());
         entry.text.append(named.get().text());
         all.add(entry);
       } else if (fact.isPresent() && owner != null) {
@@ -139,15 +160,13 @@ final class TextOutline {
     }
   }
 
-  private boolean isKnown(TextIds.Named fact) {
-    return is(fact, reading.fields.status().orElse("status"))
-        || is(fact, reading.fields.tags().orElse("tags"))
+  /** Returns whether a line says the status, the tags, the type or a parent of an item. */
+  static boolean isKnown(TextIds.Named fact, RequirementSource.Fields fields) {
+    List<String> parents = fields.parents().isEmpty() ? TextIds.PARENTS : fields.parents();
+    return is(fact, fields.status().orElse("status"))
+        || is(fact, fields.tags().orElse("tags"))
         || is(fact, "type")
-        || parents().stream().anyMatch(name -> is(fact, name));
-  }
-
-  private List<String> parents() {
-    return reading.fields.parents().isEmpty() ? TextIds.PARENTS : reading.fields.parents();
+        || parents.stream().anyMatch(name -> is(fact, name));
   }
 
   private static boolean is(TextIds.Named fact, String name) {
@@ -186,7 +205,7 @@ final class TextOutline {
 
   private Item item(Open open) {
     String text = open.text.toString();
-    Item item = new Item(open.id, text.isBlank() ? open.title : text, source.at(open.line, 1));
+    Item item = new Item(open.id, text.isBlank() ? open.title : text, open.place);
     for (TextIds.Named fact : open.facts) {
       if (is(fact, "type")) {
         item.type = Optional.of(fact.text());

@@ -1,0 +1,164 @@
+package dev.eventchain.project.requirements;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** The files that texts in reStructuredText take in or name as further documents. */
+final class RstFiles {
+
+  /** Greatest number of files in each other. */
+  private static final int DEEPEST = 20;
+
+  /** Greatest number of times that a file is taken in. */
+  private static final int MOST = 1_000;
+
+  private final Reading reading;
+  private final TextFolders folders;
+  private final Set<Path> documents = new LinkedHashSet<>();
+  private final Set<Path> included = new HashSet<>();
+  private int times;
+  private long length;
+
+  RstFiles(Reading reading, TextFolders folders) {
+    this.reading = reading;
+    this.folders = folders;
+  }
+
+  /**
+   * A file while it is read.
+   *
+   * @param open the files that take it in, and itself
+   */
+  record Open(SourceText source, List<Path> open) {
+
+    Open(SourceText source, Path file) {
+      this(source, List.of(file));
+    }
+
+    Path file() {
+      return open.get(open.size() - 1);
+    }
+  }
+
+  /** Returns the documents that texts name, in their order. */
+  Set<Path> documents() {
+    return documents;
+  }
+
+  /** Returns whether a file was taken in by another one. */
+  boolean isIncluded(Path file) {
+    return included.contains(file);
+  }
+
+  /** Returns the file that another one takes in; empty with a finding if it is not read. */
+  Optional<Open> include(Open from, String name, SourceLocation place) {
+    Optional<Path> found = folders.find(from.file(), name);
+    if (found.isEmpty()) {
+      outside(name, place);
+    } else if (from.open().contains(found.get())) {
+      reading.unread(
+          "This file takes itself in, which is not read again.",
+          place,
+          "Take the directive out.",
+          RequirementRules.UNREAD);
+    } else if (!Files.isRegularFile(found.get())) {
+      reading.unread("There is no file '" + name + "'.", place, "Correct its name, or add it.");
+    } else {
+      return open(from, found.get(), place);
+    }
+    return Optional.empty();
+  }
+
+  private Optional<Open> open(Open from, Path file, SourceLocation place) {
+    List<Path> open = new ArrayList<>(from.open());
+    open.add(file);
+    Optional<SourceText> read = Reading.file(file, reading, Optional::of);
+    length += read.map(text -> text.text().length()).orElse(0);
+    if (open.size() > DEEPEST || ++times > MOST || length > Reading.LONGEST) {
+      throw Reading.refused(
+          "More than %d files are in each other, %d in all, or %d characters."
+              .formatted(DEEPEST, MOST, Reading.LONGEST),
+          place,
+          "Take some of them out.");
+    }
+    included.add(file);
+    return read.map(text -> new Open(text, open));
+  }
+
+  /** Keeps a document that a tree names, with a finding if there is none. */
+  void document(Open from, String name, SourceLocation place) {
+    List<Path> found =
+        RstReferences.candidates(name)
+            .flatMap(each -> folders.find(from.file(), each).stream())
+            .toList();
+    Optional<Path> file = found.stream().filter(Files::isRegularFile).findFirst();
+    if (found.isEmpty()) {
+      outside(name, place);
+    } else if (file.isEmpty()) {
+      reading.unread(
+          "There is no document '" + name + "', so that nothing of it is read.",
+          place,
+          "Correct its name, or add NAME.rst or NAME.md. Patterns are not read: name each one.",
+          RequirementRules.UNREAD);
+    }
+    file.ifPresent(documents::add);
+  }
+
+  private void outside(String name, SourceLocation place) {
+    reading.unread(
+        "'%s' is outside of the folders of the project and of this source, and is not read."
+            .formatted(name),
+        place,
+        "If it has requirements, name it in eventchain.yaml.",
+        RequirementRules.UNREAD);
+  }
+
+  /**
+   * Returns the lines of a file that a directive takes in, and the number of lines in front of
+   * them; empty with a finding if a text is not there that it names.
+   */
+  Optional<Part> part(Open file, Map<String, String> options, SourceLocation place) {
+    String text = file.source().text();
+    List<String> lines = TextItems.lines(file.source());
+    int first = number(options, "start-line", 0, lines.size());
+    int last = number(options, "end-line", lines.size(), lines.size());
+    String after = options.getOrDefault("start-after", "");
+    String until = options.getOrDefault("end-before", "");
+    int from = after.isEmpty() ? 0 : text.indexOf(after) + after.length();
+    int to = until.isEmpty() ? text.length() : text.indexOf(until, from);
+    if (from < after.length() || to < 0) {
+      reading.unread(
+          "The file has no text '"
+              + (to < 0 ? until : after)
+              + "', from which or up to which it is"
+              + " taken in.",
+          place,
+          "Write the text as it is in the file.");
+      return Optional.empty();
+    }
+    first = after.isEmpty() ? first : Math.max(first, file.source().at(from).line());
+    last = until.isEmpty() ? last : Math.min(last, file.source().at(to).line() - 1);
+    return Optional.of(new Part(lines.subList(first, Math.max(first, last)), first));
+  }
+
+  /** Lines of a file, and the number of lines in front of them. */
+  record Part(List<String> lines, int before) {}
+
+  private static int number(Map<String, String> options, String name, int usual, int most) {
+    String value = options.getOrDefault(name, "");
+    if (!value.matches("-?[0-9]{1,9}")) {
+      return usual;
+    }
+    int number = Integer.parseInt(value);
+    return Math.max(0, Math.min(number < 0 ? most + number : number, most));
+  }
+}
