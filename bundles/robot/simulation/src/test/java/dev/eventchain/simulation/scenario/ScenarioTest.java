@@ -181,6 +181,17 @@ class ScenarioTest {
   }
 
   @Test
+  void theFileThatAScenarioPlaysIsFoundHoweverItsKeyIsWritten() throws IOException {
+    for (String key : List.of("openscenario", "'openscenario'", "\"open\\x73cenario\"")) {
+      Path scenario = folder.resolve("a.yaml");
+      Files.writeString(scenario, "name: a\n" + key + ": {file: other.xosc}\n");
+      assertEquals(List.of(scenario, folder.resolve("other.xosc")), Scenario.filesIn(folder), key);
+    }
+    Files.writeString(folder.resolve("a.yaml"), "name: a\n# open scenario: {file: other.xosc}\n");
+    assertEquals(List.of(folder.resolve("a.yaml")), Scenario.filesIn(folder));
+  }
+
+  @Test
   void aFolderOfOtherFilesAndALinkThatLeadsNowhereAreErrors() throws IOException {
     Files.writeString(folder.resolve("a.yaml.bak"), "name: a");
     DiagnosticException none = assertThrows(DiagnosticException.class, () -> read(folder));
