@@ -98,6 +98,16 @@ def test_numbers_that_are_none_come_back() -> None:
     assert back[1:] == [math.inf, -math.inf]
 
 
+@pytest.mark.parametrize("other", [None, 1, True, 0.25])
+def test_lists_of_many_numbers_come_back(other: Any) -> None:
+    value = [0.1, -0.0, math.inf, -math.inf, 5e-324, 1.7976931348623157e308, *(1 / (n + 1) for n in range(30)), other]
+    back = Codec().read(encoded({"": tuple(value), "ranges": [value, {"after": b"x"}]}))
+    assert back == {"": value, "ranges": [value, {"after": b"x"}]}
+    assert list(map(type, back[""])) == list(map(type, value))
+    assert math.copysign(1, back[""][1]) == -1
+    assert math.isnan(Codec().read(encoded([math.nan] * 20))[19])
+
+
 @pytest.mark.parametrize("dtype", ["<f4", ">f8", "i2", "?", "<u8"])
 def test_arrays_of_numpy_come_back(dtype: str) -> None:
     value = np.arange(6).reshape(2, 3).astype(dtype)
@@ -155,6 +165,9 @@ def test_what_contains_itself_cannot_be_sent() -> None:
         head('{"": ["array", "u", 4]}', b"abcd"),
         head('{"": ["array", ["f"], 4]}', b"abcd"),
         head('{"": ["array", "f", 3]}', b"abc"),
+        head('{"": ["floats", 12]}', b"abcdefghijkl"),
+        head('{"": ["floats", 16]}', b"abcdefgh"),
+        head('{"": ["floats", "8"]}', b"abcdefgh"),
         head('{"": ["numpy", "O", [1], 8]}', b"abcdefgh"),
         head('{"": ["numpy", ",8", [1], 8]}', b"abcdefgh"),
         head('{"": ["numpy", "<f4", [-1], 4]}', b"abcd"),
@@ -179,7 +192,7 @@ def test_any_bytes_are_a_value_or_refused() -> None:
     random_source = random.Random(8)
     samples = [
         encoded(["result", {"brake": 0.5, "ranges": array("f", [1.0, 2.0]), "": [b"x"]}, 3, 4]),
-        encoded([Point(x=1, data=np.arange(3)), {"key": [1, "text"]}]),
+        encoded([Point(x=1, data=np.arange(3)), {"key": [1, "text"]}, [0.5] * 16]),
     ]
     codec = Codec(POINTS)
     refused = 0

@@ -19,6 +19,7 @@ _RANGES = {f"uint{bits}": (0, 2**bits - 1) for bits in (8, 16, 32, 64)}
 _RANGES.update({f"int{bits}": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in (8, 16, 32, 64)})
 _RANGES["char"] = _RANGES["uint8"]
 _MAXIMAL_FLOAT32 = 3.402823466e38
+_FLOATS, _INTEGERS = frozenset({float}), frozenset({int, bool})
 _TYPES: dict[str, type] = {"bool": bool, "byte": bytes, "float32": float, "float64": float, "string": str}
 
 
@@ -46,8 +47,23 @@ def as_array(message: Any, name: str, code: str) -> Any:
     value = getattr(message, name)
     if code == "B" and isinstance(value, (bytes, bytearray)):
         return value
+    numbers = _numbers(value, code)
+    if numbers is not None:
+        return numbers
     check(message)
     return array(code, value)
+
+
+def _numbers(value: Any, code: str) -> array[Any] | None:
+    """Return the array of a list whose numbers are plain and in range, as most are; None if that has to be checked."""
+    if type(value) is not list or not (_FLOATS if code in "fd" else _INTEGERS).issuperset(map(type, value)):
+        return None
+    if code == "f" and max(map(abs, filter(isfinite, value)), default=0.0) > _MAXIMAL_FLOAT32:
+        return None
+    try:
+        return array(code, value)
+    except OverflowError:
+        return None
 
 
 def as_ndarray(message: Any, name: str, dtype: np.dtype[Any], count: int) -> Any:

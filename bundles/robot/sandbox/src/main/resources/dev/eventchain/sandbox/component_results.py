@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 _INTEGERS = frozenset({f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)} | {"char"})
 _NUMBERS = _INTEGERS | {"float", "float32", "float64", "double"}
 _TRUTHS = frozenset({"bool", "boolean"})
+_FLOATS = frozenset({float})
 
 VALUE_HINT = "Return a number, a truth value, a string, or a list of these."
 
@@ -104,6 +105,8 @@ def _check_elements(name: str, values: Any) -> list[Problem]:
         if total == total:  # NaN propagates to the sum
             return []
         values = values.tolist()
+    elif _FLOATS.issuperset(map(type, values)) and not math.isnan(sum(values)):
+        return []
     for index, element in enumerate(values):
         if element is None:
             hint = "Return a number for each element."

@@ -6,6 +6,7 @@ the name "" has no other one, and stands for something that JSON does not have::
 
     {"": ["bytes", length]}                   the next part
     {"": ["array", typecode, length]}         array.array, its content is the next part
+    {"": ["floats", length]}                  a list of many floats, likewise: their digits would take longer
     {"": ["numpy", dtype, shape, length]}     numpy.ndarray, likewise
     {"": ["dict", [[key, value], ...]]}       a dict that has the key ""
     {"": ["message", type, {field: value}]}   an object that the caller's `Objects` know
@@ -18,7 +19,7 @@ from __future__ import annotations
 import json
 import struct
 from array import array
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import Any, NamedTuple
 
 LONGEST = 1 << 26
@@ -27,6 +28,8 @@ LONGEST = 1 << 26
 _LENGTH = struct.Struct("<I")
 _SCALARS = frozenset({bool, int, float, str, type(None)})
 _LEAVES = _SCALARS | {array, bytes, bytearray, memoryview}
+_FLOATS = frozenset({float})
+_MANY = 16
 _TYPE_CODES = frozenset("bBhHiIlLqQfd")
 _NUMPY_KINDS = frozenset("biuf")
 _WIDEST = 8  # size of a number in bytes
@@ -124,6 +127,8 @@ class Codec:
         if kind in _SCALARS:
             return value
         if kind is list or kind is tuple:
+            if _are_floats(value):
+                return self._part("floats", array("d", value).tobytes())
             return [self._plain(item) for item in value]
         if isinstance(value, dict):
             plain = {_key(key): self._plain(item) for key, item in value.items()}
@@ -185,6 +190,11 @@ class Codec:
             result = array(code)
             result.frombytes(self._next(length))
             return result
+        if name == "floats":
+            (length,) = content
+            floats = array("d")
+            floats.frombytes(self._next(length))
+            return floats.tolist()
         if name == "bytes":
             (length,) = content
             return bytes(self._next(length))
@@ -239,11 +249,15 @@ def _is_usual(values: Iterable[Any]) -> bool:
                 if type(key) is not str or not key:
                     return False
             value = value.values()
-        elif kind is not list and kind is not tuple:
+        elif (kind is not list and kind is not tuple) or _are_floats(value):
             return False
         if not _is_usual(value):
             return False
     return True
+
+
+def _are_floats(values: Collection[Any]) -> bool:
+    return len(values) >= _MANY and _FLOATS.issuperset(map(type, values))
 
 
 def _key(value: Any) -> str:
