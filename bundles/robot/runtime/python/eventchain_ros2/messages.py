@@ -164,7 +164,7 @@ class Messages(MetaPathFinder, Loader):
 
     def install(self) -> None:
         """Serve imports, instead of a previously installed catalog."""
-        others = [finder for finder in sys.meta_path if not isinstance(finder, Messages)]
+        others = [finder for finder in sys.meta_path if type(finder) is not Messages]
         if len(others) < len(sys.meta_path):
             for name, module in list(sys.modules.items()):
                 if isinstance(module, _Served):

@@ -81,6 +81,11 @@ SIGNAL_COMMANDS = (8, 10, 15)
 Hook = Callable[[str, tuple[Any, ...]], None]
 
 
+def native_modules() -> tuple[str, ...]:
+    """Return the names of loaded modules that reach raw memory, which confined code must not find."""
+    return tuple(name for name in sys.modules if name in ("kernel", "_ctypes") or name.startswith("ctypes"))
+
+
 def install(readable: Iterable[str], writable: str) -> None:
     """Permanently refuse all files except the given ones, all sockets and all processes.
 

@@ -47,7 +47,7 @@ def main(description: str) -> None:
         for name in ("component_client", "template"):  # of the program and of where this process comes from
             sys.modules.pop(name, None)
         channel, stack = component.settle()
-        _give_up_rights(settings, component.folder, here)
+        _give_up_rights(settings, component.folder, here, component.native)
         component_process.run(channel, stack, component.description)
     _prepare(settings)
     parent = here if settings["components"] else None if settings["enclosed"] else settings["parent"]
@@ -118,12 +118,23 @@ def _take_turns(number: int) -> None:
     os.sched_setaffinity(0, {processors[number % len(processors)]})
 
 
-def _give_up_rights(settings: dict[str, Any], work: str, parent: int | None) -> None:
-    """Keep the rights of a program with this writable folder; end with the parent, if the parent may end earlier."""
+def _give_up_rights(
+    settings: dict[str, Any], work: str, parent: int | None, native: tuple[str, ...] | None = None
+) -> None:
+    """Keep the rights of a program with this writable folder; end with the parent, if the parent may end earlier.
+
+    Args:
+        settings: those of :func:`main`.
+        work: the folder.
+        parent: the parent, None: it does not end earlier.
+        native: `audit.native_modules()`, where nothing was imported since. To look for them writes to the page of each
+            module's name, which takes long in a process that shares these pages.
+
+    """
     _limit(settings["limits"])
     if settings["kernel"]:
         _ask_kernel(settings["readable"], work, parent)
-    for name in [name for name in sys.modules if name in ("kernel", "_ctypes") or name.startswith("ctypes")]:
+    for name in audit.native_modules() if native is None else native:
         del sys.modules[name]
     if settings["hooks"]:
         audit.install(settings["readable"], work)

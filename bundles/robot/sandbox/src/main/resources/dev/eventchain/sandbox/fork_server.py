@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import contextlib
 import fcntl
+import gc
 import importlib
 import json
 import os
@@ -24,6 +25,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import audit
 import component_process
 
 LONGEST_REQUEST = 1 << 18
@@ -44,15 +46,19 @@ class NewProcess(BaseException):
         stack: file descriptor for its stack.
         folder: its writable folder.
         description: of the component.
+        native: names of loaded modules that reach raw memory.
 
     """
 
-    def __init__(self, channel: int, stack: int, folder: str, description: dict[str, Any]) -> None:
+    def __init__(
+        self, channel: int, stack: int, folder: str, description: dict[str, Any], native: tuple[str, ...]
+    ) -> None:
         super().__init__()
         self.channel = channel
         self.stack = stack
         self.folder = folder
         self.description = description
+        self.native = native
 
     def settle(self) -> tuple[int, int]:
         """Close all files except the channel and the file for the stack, and change to the folder."""
@@ -61,7 +67,8 @@ class NewProcess(BaseException):
         for wanted, descriptor in enumerate(high, start=3):
             os.dup2(descriptor, wanted)
         os.closerange(5, _MOST_DESCRIPTORS)
-        os.environ.update(HOME=self.folder, TMPDIR=self.folder)
+        for name in ("HOME", "TMPDIR"):
+            os.environ[name] = self.folder
         os.chdir(self.folder)
         return 3, 4
 
@@ -84,6 +91,7 @@ class ForkServer:
         self._path = path
         self._folders: dict[int, Path] = {}
         self._started = 0
+        self._native = audit.native_modules()
 
     def serve(self) -> int:
         """Serve until the program ends; return its exit code, or 128 plus the number of the signal that ended it.
@@ -118,7 +126,9 @@ class ForkServer:
         folder.mkdir(mode=0o700)
         process = os.fork()
         if process == 0:
-            raise NewProcess(theirs.detach(), stack_end, str(folder), description)
+            for unused in (ours, self._control):
+                unused.detach()  # closed soon; a socket that is closed by being forgotten warns first, which takes long
+            raise NewProcess(theirs.detach(), stack_end, str(folder), description, self._native)
         self._folders[process] = folder
         descriptors = struct.pack("ii", ours.fileno(), stack)
         self._control.sendmsg([str(process).encode()], [(socket.SOL_SOCKET, socket.SCM_RIGHTS, descriptors)])
@@ -136,7 +146,9 @@ class ForkServer:
         if description.get("messages") is not None:
             wanted.append(component_process.MESSAGE_OBJECTS)
         # Excludes the description's path and the program's writable folder, which may have untrusted code.
-        import_once(wanted, self._path)
+        if import_once(wanted, self._path):
+            self._native = audit.native_modules()
+            gc.freeze()  # a process that collects garbage would write to the pages that it shares
 
     def _signal(self, process: int, number: int) -> None:
         if process in self._folders:
@@ -159,15 +171,16 @@ class ForkServer:
             self._control.send(str(number).encode())
 
 
-def import_once(modules: list[str], path: list[str]) -> None:
-    """Import modules that are in these folders or belong to Python; without those that are missing."""
+def import_once(modules: list[str], path: list[str]) -> bool:
+    """Import modules that are in these folders or belong to Python, except missing ones; return whether any is new."""
+    wanted = [name for name in modules if name not in sys.modules]
     before = sys.path
     sys.path = [*filter(None, before), *path]
-    for name in modules:
-        if name not in sys.modules:
-            with contextlib.suppress(ImportError):
-                importlib.import_module(name)
+    for name in wanted:
+        with contextlib.suppress(ImportError):
+            importlib.import_module(name)
     sys.path = before
+    return bool(wanted)
 
 
 def _exit_code(status: int) -> int:
