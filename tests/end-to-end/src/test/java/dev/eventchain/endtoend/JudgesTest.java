@@ -64,6 +64,32 @@ class JudgesTest {
   }
 
   @Test
+  void aNumberThatNoCriterionQuotesIsAWarning() throws IOException {
+    copy.replace(SCENARIO, " while the time to collision is below 2.6 s\"}", "\"}");
+    new Program()
+        .run("validate", copy.path())
+        .expect(0)
+        .says("requirements.md:3:1: warning: No criterion of a scenario judges '2.6 s' of RAD-2.")
+        .says("[scenario.judges.number]");
+    copy.replace(SCENARIO, "{RAD-2: \"warn the driver\"}", "{RAD-2: \"below 2.6 s\"}");
+    new Program().run("validate", copy.path()).expect(0).says("0 errors, 0 warnings");
+  }
+
+  @Test
+  void aRequirementThatACriterionDoesNotQuoteIsTestedAsAWhole() throws IOException {
+    copy.replace(SCENARIO, " while the time to collision is below 2.6 s\"}", "\"}");
+    copy.replace(
+        SCENARIO,
+        "  formulas:\n",
+        "  formulas:\n    - {requirements: [RAD-2], formula: always ego.speed <= 51 km/h}\n");
+    new Program()
+        .run("validate", copy.path())
+        .expect(0)
+        .says("[scenario.judges.missing]")
+        .says("0 errors, 1 warning ");
+  }
+
+  @Test
   void anOutputIsReadByItsRequirementWhateverItsTopic() throws IOException {
     copy.replace(SCENARIO, "/cluster/collision_warning.data", "output(RAD-2, bool)");
     new Program().run("run", copy.path(), "--no-strength").expect(0).says("4 requirements proved");

@@ -198,6 +198,7 @@ class OwnFunctionTest {
   @Test
   void requirementsOfTheModelThatAreNotThoseOfTheProject() throws IOException {
     project.replace("requirements.md", "is below 2.6 s", "is below 2 s");
+    project.replace("scenarios/stopped-vehicle-50.yaml", "is below 2.6 s", "is below 2 s");
     project.replace(CHAIN, "id=\"RAD-4\"", "id=\"RAD-5\"");
     project
         .run()

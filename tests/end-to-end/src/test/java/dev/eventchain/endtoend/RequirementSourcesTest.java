@@ -102,6 +102,7 @@ class RequirementSourcesTest {
     String report = Files.readString(copy.path().resolve("out/report.html"));
     assertEquals(true, report.contains("\"source\":\"specs/radar.reqif:"), "the source");
     copy.replace("specs/radar.reqif", "below 2.6 s", "below 2.5 s");
+    copy.replace("scenarios/stopped-vehicle-50.yaml", "below 2.6 s", "below 2.5 s");
     copy.run().says("radar.reqif says this about RAD-2").says("project.requirement.changed");
   }
 

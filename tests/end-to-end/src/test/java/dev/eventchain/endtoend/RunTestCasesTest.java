@@ -87,7 +87,7 @@ class RunTestCasesTest {
     copy.replace("scenarios/short-sight.yaml", "ego.speed <= 12 km/h", "ego.speed >= 200 km/h");
     copy.replace(
         "scenarios/stopped-vehicle-50.yaml",
-        "RAD-4: \"brake while the time to collision is\"",
+        "RAD-4: \"brake while the time to collision is 3 s or more\"",
         "RAD-3: \"brake with 9 m/s²\"");
     copy.replace("scenarios/stopped-vehicle-50.yaml", "ttc < 5 s and", "ttc < 0.01 s and");
     Path file = folder.resolve("TEST-run.xml");

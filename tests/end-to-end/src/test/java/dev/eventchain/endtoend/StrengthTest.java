@@ -24,7 +24,8 @@ import org.junit.jupiter.api.io.TempDir;
 class StrengthTest {
 
   private static final String SCENARIO = "scenarios/stopped-vehicle-50.yaml";
-  private static final String WARNED = "{RAD-2: \"warn the driver\"}";
+  private static final String WARNED =
+      "{RAD-2: \"warn the driver while the time to collision is below 2.6 s\"}";
   private static final String FOUND = "{RAD-1: \"determine the time to collision\"}";
 
   /** A drive in which nothing happens, about the requirement on warnings. */

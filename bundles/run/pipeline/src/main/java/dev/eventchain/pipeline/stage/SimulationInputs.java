@@ -110,6 +110,7 @@ public final class SimulationInputs {
           .forEach(found::add);
     }
     found.addAll(JudgedRequirements.check(scenarios, run.writtenRequirements()));
+    found.addAll(UnjudgedNumbers.check(scenarios, run.writtenRequirements()));
     return found;
   }
 

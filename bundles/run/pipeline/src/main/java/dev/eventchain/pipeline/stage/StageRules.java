@@ -10,6 +10,7 @@ public final class StageRules {
   static final Rule COMPONENT_SOURCE_UNCHECKED = Rule.warning("component.source.unchecked");
 
   static final Rule SCENARIO_JUDGES_MISSING = Rule.warning("scenario.judges.missing");
+  static final Rule SCENARIO_JUDGES_NUMBER = Rule.warning("scenario.judges.number");
   static final Rule SCENARIO_JUDGES_WORDS = Rule.error("scenario.judges.words");
 
   private StageRules() {}
