@@ -248,8 +248,14 @@ final class RequirementThresholds {
     return tokens.size() > 2 ? initials.toString() : "\0";
   }
 
-  /** Returns whether a clause has a word of the same stem: brake and braking_force. */
+  /**
+   * Returns whether a clause has a word of the same stem: brake and braking_force. One whose name
+   * may mean the opposite, such as braking_inactive, is left to people.
+   */
   private static boolean isSpokenOf(String output, String clause) {
+    if (ThresholdEffect.mayBeOpposite(String.join(" ", tokens(output)))) {
+      return false;
+    }
     List<String> words = NO_WORD.splitAsStream(clause.toLowerCase(Locale.ROOT)).toList();
     return tokens(output).stream()
         .filter(token -> token.length() >= 4)

@@ -67,6 +67,11 @@ enum ThresholdEffect {
     return words.matches(".*\\bfull.*") ? FULL : SOME;
   }
 
+  /** Returns whether something that is called so may be true, or large, where nothing happens. */
+  static boolean mayBeOpposite(String words) {
+    return DOUBTFUL.matcher(words).find() || NEGATED.matcher(words).find();
+  }
+
   private static String plain(String clause) {
     return clause.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", " ").strip();
   }
