@@ -30,6 +30,9 @@ final class ComponentActivity {
   /** Readings of a topic that the trace does not explain. */
   record Unmatched(String topic, int count, int of) {}
 
+  /** Time in which all messages that were underway at the start have been read, in ns. */
+  private static final long WHILE_BEGINNING = 1_000_000_000L;
+
   private final Node node;
   private final Set<String> inputs;
   private final Set<String> outputs;
@@ -45,6 +48,7 @@ final class ComponentActivity {
 
   private final Map<String, Integer> taken = new LinkedHashMap<>();
   private final Map<String, Integer> unmatched = new LinkedHashMap<>();
+  private final Map<String, Integer> earlier = new LinkedHashMap<>();
   private final Map<String, List<Long>> waiting = new LinkedHashMap<>();
   private final List<Activation> activations = new ArrayList<>();
   private final List<Long> executionTimes = new ArrayList<>();
@@ -105,8 +109,9 @@ final class ComponentActivity {
     String topic = take.subscription.topic();
     Optional<SampleId> sample = messages.taken(take);
     if (sample.isEmpty()) {
-      // What was published before the trace began is not in it.
-      if (take.stamp == 0 || take.stamp >= begin) {
+      if (isEarlier(take)) {
+        earlier.merge(topic, 1, Integer::sum);
+      } else {
         unmatched(topic);
       }
       return;
@@ -123,6 +128,17 @@ final class ComponentActivity {
     } else if (take.execution.end > 0) {
       handled.computeIfAbsent(topic, it -> new TreeMap<>()).put(take.execution.end, sample.get());
     }
+  }
+
+  /**
+   * Returns whether a message was underway when the trace began, so that its publication is not in
+   * it. Later on, such a time is that of another clock.
+   */
+  private boolean isEarlier(Take take) {
+    boolean isFirst = !taken.containsKey(take.subscription.topic());
+    return take.stamp != 0
+        && take.stamp < begin
+        && (isFirst || take.time - begin < WHILE_BEGINNING);
   }
 
   /**
@@ -254,6 +270,11 @@ final class ComponentActivity {
     return unmatched.entrySet().stream()
         .map(it -> new Unmatched(it.getKey(), it.getValue(), taken.getOrDefault(it.getKey(), 0)))
         .toList();
+  }
+
+  /** Returns how many messages it read that were underway when the trace began, by topic. */
+  Map<String, Integer> earlier() {
+    return earlier;
   }
 
   /** Returns whether one of its outputs was written. */

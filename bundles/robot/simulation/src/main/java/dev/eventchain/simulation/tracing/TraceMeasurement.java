@@ -37,6 +37,7 @@ import java.util.zip.CRC32;
  * @param latencies of the chain's latency constraints, in their order; empty for one that was not
  *     measured
  * @param unmatched what components read although no publication of it is known
+ * @param earlier what components read that was underway when the trace began, and is left out
  * @param outside numbers of messages whose publishers are not in the trace, by topic
  * @param intervals the longest times between two messages, in ns, by topic
  */
@@ -46,6 +47,7 @@ public record TraceMeasurement(
     List<Hop> hops,
     List<Optional<Latency>> latencies,
     List<Unmatched> unmatched,
+    List<Unmatched> earlier,
     Map<String, Integer> outside,
     Map<String, Long> intervals) {
 
@@ -67,7 +69,7 @@ public record TraceMeasurement(
    */
   public record Hop(String topic, String reader, Measurements.Statistics waiting) {}
 
-  /** Readings of a topic, of which some belong to no known publication. */
+  /** Readings of a topic that belong to no known publication. */
   public record Unmatched(String topic, String reader, int count) {}
 
   /** Measures a chain in a trace. */
@@ -104,6 +106,7 @@ public record TraceMeasurement(
     private final List<Component> components = new ArrayList<>();
     private final List<Hop> hops = new ArrayList<>();
     private final List<Unmatched> unmatched = new ArrayList<>();
+    private final List<Unmatched> earlier = new ArrayList<>();
     private final Map<String, List<Activation>> activations = new LinkedHashMap<>();
 
     Measuring(EventChain chain, RosActivity activity) {
@@ -142,6 +145,9 @@ public record TraceMeasurement(
       found
           .unmatched()
           .forEach(it -> unmatched.add(new Unmatched(it.topic(), nameOf(component), it.count())));
+      found
+          .earlier()
+          .forEach((topic, count) -> earlier.add(new Unmatched(topic, nameOf(component), count)));
     }
 
     /**
@@ -223,7 +229,7 @@ public record TraceMeasurement(
         messages.interval(topic.name()).ifPresent(it -> intervals.put(topic.name(), it));
       }
       return new TraceMeasurement(
-          components, missing, hops, latencies, unmatched, messages.outside(), intervals);
+          components, missing, hops, latencies, unmatched, earlier, messages.outside(), intervals);
     }
 
     private static Optional<Latency> latency(RunLog log, LatencyConstraint constraint) {

@@ -201,7 +201,19 @@ class TraceMeasurementTest {
   void messagesFromBeforeTheTraceAreLeftOut() {
     TraceMeasurement measured = measured(nodes().take(3, 2, -1).publish(4, 2, 4.01));
     assertEquals(List.of(), measured.unmatched());
+    assertEquals(
+        List.of(new TraceMeasurement.Unmatched("/radar/target", "Radar_Tracking", 1)),
+        measured.earlier());
     assertEquals(Optional.empty(), measured.latencies().get(0));
+  }
+
+  /** A publisher that was not traced, and whose clock is behind, is not taken for the past. */
+  @Test
+  void oldTimesAreThoseOfAnotherClockOnceTheTraceHasBegun() {
+    TraceMeasurement measured =
+        measured(nodes().publish(1, 1, 1.01).take(2, 2, 1.01).take(999, 2, -1).take(1500, 2, -1));
+    assertEquals(1, measured.earlier().get(0).count());
+    assertEquals(1, measured.unmatched().get(0).count());
   }
 
   @Test

@@ -9,6 +9,7 @@ final class MeasureRules {
   static final Rule TRACE_LATENCY_EXCEEDED = Rule.error("trace.latency.exceeded");
   static final Rule TRACE_LATENCY_UNMEASURED = Rule.error("trace.latency.unmeasured");
   static final Rule TRACE_LOST = Rule.error("trace.lost");
+  static final Rule TRACE_MESSAGE_EARLIER = Rule.info("trace.message.earlier");
   static final Rule TRACE_MESSAGE_UNMATCHED = Rule.error("trace.message.unmatched");
   static final Rule TRACE_NODE_MISSING = Rule.warning("trace.node.missing");
   static final Rule TRACE_PERIOD_ABOVE = Rule.warning("trace.period.above");

@@ -138,6 +138,14 @@ final class TraceFindings {
               .withHint(
                   "Trace all publishers of the topic, without intra-process communication, and with one thread for each node in Python."));
     }
+    for (TraceMeasurement.Unmatched each : measured.earlier()) {
+      found.add(
+          Diagnostic.of(
+              MeasureRules.TRACE_MESSAGE_EARLIER,
+              "Messages of %s that '%s' read were published before the trace began, and are left out: %d."
+                  .formatted(each.topic(), each.reader(), each.count()),
+              trace));
+    }
     for (Map.Entry<String, Integer> each : measured.outside().entrySet()) {
       found.add(
           Diagnostic.of(

@@ -215,6 +215,16 @@ class TraceMeasuringTest {
   }
 
   @Test
+  void messagesFromBeforeTheTraceAreSaid() throws IOException {
+    change(trace, "(?s)^(.*?source_timestamp: )[\\d,]+", "$11");
+    List<String> found = found();
+    assertTrue(
+        found.contains(
+            "info trace.message.earlier Messages of /radar/target that 'Radar_Tracking' read were published before the trace began, and are left out: 1."),
+        found.toString());
+  }
+
+  @Test
   void messagesThatNoPublicationHasAreSaid() throws IOException {
     change(trace, "Event `ros2:rmw_publish`", "Event `ros2:other`");
     change(trace, "Event `ros2:rcl_publish`", "Event `ros2:other`");
