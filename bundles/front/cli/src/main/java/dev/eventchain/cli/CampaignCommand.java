@@ -10,7 +10,7 @@ import dev.eventchain.pipeline.campaign.CampaignOptions;
 import dev.eventchain.pipeline.campaign.CampaignOutcome;
 import dev.eventchain.pipeline.campaign.Campaigns;
 import dev.eventchain.pipeline.campaign.OpenScenarioCampaigns;
-import dev.eventchain.pipeline.campaign.Shard;
+import dev.eventchain.pipeline.campaign.plan.Shard;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.campaign;
 
+import dev.eventchain.pipeline.campaign.plan.Shard;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;

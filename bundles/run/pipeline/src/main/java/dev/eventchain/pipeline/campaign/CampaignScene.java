@@ -11,6 +11,8 @@ import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.pipeline.campaign.plan.PlayedScenario;
 import dev.eventchain.pipeline.campaign.plan.Purpose;
+import dev.eventchain.pipeline.campaign.plan.Shard;
+import dev.eventchain.pipeline.campaign.result.CampaignStore;
 import dev.eventchain.pipeline.engine.PipelineRun;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;

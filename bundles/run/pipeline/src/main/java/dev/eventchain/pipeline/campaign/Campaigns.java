@@ -11,6 +11,15 @@ import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.pipeline.campaign.plan.Purpose;
+import dev.eventchain.pipeline.campaign.result.BoundarySearch;
+import dev.eventchain.pipeline.campaign.result.CampaignComparison;
+import dev.eventchain.pipeline.campaign.result.CampaignMerge;
+import dev.eventchain.pipeline.campaign.result.CampaignPage;
+import dev.eventchain.pipeline.campaign.result.CampaignPoints;
+import dev.eventchain.pipeline.campaign.result.CampaignRow;
+import dev.eventchain.pipeline.campaign.result.CampaignStore;
+import dev.eventchain.pipeline.campaign.result.CampaignSummary;
+import dev.eventchain.pipeline.campaign.result.CampaignTable;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
@@ -206,7 +215,7 @@ public final class Campaigns {
             Duration.ofNanos(nanos),
             Coverage.counted(rows.size(), "case") + " in " + store.path(CampaignStore.TABLE));
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
-    if (options.shard().isAll()) { // a part says nothing about the whole
+    if (options.shard().coversAll()) { // a part says nothing about the whole
       found.addAll(summary.findings(scene.place()));
     }
     Suppressions.Parted parted = run.options().suppressions().part(found);

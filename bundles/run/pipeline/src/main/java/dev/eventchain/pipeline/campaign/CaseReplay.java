@@ -8,6 +8,8 @@ import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
+import dev.eventchain.pipeline.campaign.result.CampaignRow;
+import dev.eventchain.pipeline.campaign.result.CampaignStore;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.RunContext;

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.campaign;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.Shard;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

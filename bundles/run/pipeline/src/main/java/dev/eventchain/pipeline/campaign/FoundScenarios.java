@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.output.OutputRules;
+import dev.eventchain.pipeline.campaign.result.CampaignStore;
 import dev.eventchain.pipeline.files.SourceFile;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.io.IOException;

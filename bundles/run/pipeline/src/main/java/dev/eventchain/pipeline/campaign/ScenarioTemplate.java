@@ -19,6 +19,7 @@ import dev.eventchain.pipeline.campaign.plan.Factor;
 import dev.eventchain.pipeline.campaign.plan.NumberPath;
 import dev.eventchain.pipeline.campaign.plan.Purpose;
 import dev.eventchain.pipeline.campaign.plan.Sampling;
+import dev.eventchain.pipeline.campaign.result.CampaignRow;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.CaseReader;

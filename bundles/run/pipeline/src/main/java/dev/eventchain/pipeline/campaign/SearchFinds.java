@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline.campaign;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
+import dev.eventchain.pipeline.campaign.result.CampaignRow;
 import dev.eventchain.simulation.verdict.CaseResult;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.math.BigDecimal;

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline.campaign;
 
+import dev.eventchain.pipeline.campaign.result.CampaignRow;
 import dev.eventchain.simulation.verdict.CaseResult;
 import dev.eventchain.simulation.verdict.CaseResult.CriterionMargin;
 import dev.eventchain.simulation.verdict.CaseResult.Label;

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline.campaign;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.SearchSettings;
+import dev.eventchain.pipeline.campaign.result.CampaignRow;
 import dev.eventchain.pipeline.search.IndependentSearch;
 import dev.eventchain.pipeline.search.SearchMethod;
 import dev.eventchain.simulation.verdict.CaseResult;

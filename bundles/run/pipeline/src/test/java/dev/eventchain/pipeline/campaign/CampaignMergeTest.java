@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.pipeline.campaign.plan.Shard;
+import dev.eventchain.pipeline.campaign.result.CampaignMerge;
+import dev.eventchain.pipeline.campaign.result.CampaignStore;
 import dev.eventchain.pipeline.results.ResultJson;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

@@ -7,6 +7,8 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
+import dev.eventchain.pipeline.campaign.result.CampaignRow;
+import dev.eventchain.pipeline.campaign.result.CampaignSummary;
 import dev.eventchain.simulation.verdict.CaseResult;
 import java.io.IOException;
 import java.math.BigDecimal;

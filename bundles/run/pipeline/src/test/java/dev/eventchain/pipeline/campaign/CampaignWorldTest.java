@@ -11,6 +11,8 @@ import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.Purpose;
+import dev.eventchain.pipeline.campaign.result.CampaignRow;
+import dev.eventchain.pipeline.campaign.result.CampaignSummary;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.verdict.CaseResult;
 import java.io.IOException;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.fixtures.Projects;
+import dev.eventchain.pipeline.campaign.plan.Shard;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;

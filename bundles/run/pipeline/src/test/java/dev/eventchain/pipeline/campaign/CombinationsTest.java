@@ -6,6 +6,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
+import dev.eventchain.pipeline.campaign.plan.Shard;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

@@ -8,7 +8,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.pipeline.campaign.Campaigns;
-import dev.eventchain.pipeline.campaign.Shard;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

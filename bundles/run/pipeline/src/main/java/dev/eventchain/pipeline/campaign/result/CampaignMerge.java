@@ -1,9 +1,10 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
+import dev.eventchain.pipeline.campaign.plan.Shard;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,7 +13,7 @@ import java.util.List;
 import java.util.TreeMap;
 
 /** Puts the parts of a campaign together. */
-final class CampaignMerge {
+public final class CampaignMerge {
 
   private final TreeMap<Integer, CampaignStore.Cases> parts = new TreeMap<>();
   private final List<Diagnostic> problems = new ArrayList<>();
@@ -24,7 +25,7 @@ final class CampaignMerge {
    * @throws DiagnosticException (INPUT) {@code campaign.merge} if one is missing, twice, broken, of
    *     other inputs, or of another platform than the first one
    */
-  static List<CampaignStore.Cases> parts(List<Path> folders, String inputs) {
+  public static List<CampaignStore.Cases> parts(List<Path> folders, String inputs) {
     CampaignMerge merge = new CampaignMerge();
     folders.forEach(folder -> merge.add(folder, inputs));
     merge.requireAll(folders);
@@ -41,7 +42,7 @@ final class CampaignMerge {
    * @param node where it was simulated
    * @throws DiagnosticException (INPUT) {@code campaign.merge} if it does not
    */
-  static CampaignStore.Cases require(
+  public static CampaignStore.Cases require(
       byte[] bytes, CampaignStore.Cases own, Shard shard, String node) {
     CampaignStore.Cases part = CampaignStore.read(bytes).orElse(null);
     Path name = Path.of(shard.folder(own.campaign()));

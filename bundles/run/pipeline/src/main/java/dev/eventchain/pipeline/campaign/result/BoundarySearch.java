@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
@@ -15,7 +15,7 @@ import java.util.Map;
  * does not, in each combination of the other factors. A band between two values of the grid that
  * both pass is not seen.
  */
-final class BoundarySearch {
+public final class BoundarySearch {
 
   private static final BigDecimal TWO = BigDecimal.valueOf(2);
 
@@ -25,13 +25,13 @@ final class BoundarySearch {
   private final int factor;
   private final BigDecimal resolution;
 
-  BoundarySearch(CampaignPlan.Boundary boundary) {
+  public BoundarySearch(CampaignPlan.Boundary boundary) {
     this.factor = boundary.factor();
     this.resolution = boundary.resolution();
   }
 
   /** Returns the cases that have to be known next; none if all flips are narrow enough. */
-  List<CampaignCase> next(Collection<CampaignRow> rows) {
+  public List<CampaignCase> next(Collection<CampaignRow> rows) {
     List<CampaignCase> wanted = new ArrayList<>();
     for (Flip flip : flips(rows)) {
       BigDecimal low = flip.before().id().values().get(factor);

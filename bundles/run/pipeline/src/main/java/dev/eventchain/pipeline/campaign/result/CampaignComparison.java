@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -16,7 +16,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /** The cases of a campaign beside those of an earlier one, by their values. */
-final class CampaignComparison {
+public final class CampaignComparison {
 
   /** A case of both campaigns with different verdicts. */
   record Change(CampaignRow before, CampaignRow now) {
@@ -44,7 +44,7 @@ final class CampaignComparison {
   }
 
   /** The cases of an earlier campaign. */
-  record Earlier(Path folder, List<CampaignRow> rows) {
+  public record Earlier(Path folder, List<CampaignRow> rows) {
 
     /**
      * Returns the comparison with cases of now.
@@ -52,7 +52,7 @@ final class CampaignComparison {
      * @throws DiagnosticException (INPUT) {@code campaign.comparison} if they have nothing in
      *     common
      */
-    CampaignComparison beside(List<CampaignRow> now) {
+    public CampaignComparison beside(List<CampaignRow> now) {
       Map<CampaignCase, CampaignRow> before = new TreeMap<>(CampaignCase.ORDER);
       for (CampaignRow row : rows) {
         if (!now.isEmpty() && row.id().values().size() == now.get(0).id().values().size()) {
@@ -72,7 +72,7 @@ final class CampaignComparison {
    *
    * @throws DiagnosticException (INPUT) {@code campaign.comparison} if there are none
    */
-  static Earlier read(Path folder) {
+  public static Earlier read(Path folder) {
     try {
       byte[] bytes = Files.readAllBytes(folder.resolve(CampaignStore.CASES));
       return CampaignStore.read(bytes)
@@ -96,7 +96,7 @@ final class CampaignComparison {
     return changes.stream().filter(each -> each.isBetter() == better).toList();
   }
 
-  String text() {
+  public String text() {
     return "%d pass now, %d no longer pass, %d as before%s%n"
         .formatted(
             changes(true).size(),

@@ -1,8 +1,9 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
+import dev.eventchain.pipeline.campaign.plan.Shard;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.stage.RunContext;
 import java.nio.file.Path;
@@ -24,14 +25,14 @@ import java.util.function.BooleanSupplier;
  * The folder of a campaign's results. Cases are kept in numbered files while it runs, so that one
  * that is killed goes on, and in one file at its end.
  */
-final class CampaignStore implements AutoCloseable {
+public final class CampaignStore implements AutoCloseable {
 
-  static final String FOLDER = "campaigns";
+  public static final String FOLDER = "campaigns";
   static final String CASES = "cases.json";
-  static final String TABLE = "cases.csv";
-  static final String PAGE = "report.html";
+  public static final String TABLE = "cases.csv";
+  public static final String PAGE = "report.html";
 
-  static final String POINTS = "points.json";
+  public static final String POINTS = "points.json";
 
   private static final List<String> RESULTS = List.of(CASES, TABLE, PAGE, POINTS);
   private static final String PARTS = "parts";
@@ -46,7 +47,7 @@ final class CampaignStore implements AutoCloseable {
    *     confinement
    * @param complete false while the campaign runs
    */
-  record Cases(
+  public record Cases(
       String campaign,
       String inputs,
       String platform,
@@ -54,7 +55,7 @@ final class CampaignStore implements AutoCloseable {
       boolean complete,
       List<CampaignRow> rows) {
 
-    Cases {
+    public Cases {
       rows = List.copyOf(rows);
     }
 
@@ -85,7 +86,7 @@ final class CampaignStore implements AutoCloseable {
    * @param results the folder with those of all campaigns
    * @param unchanged returns whether the results so far are of these inputs
    */
-  CampaignStore(Path results, Cases empty, BooleanSupplier unchanged) {
+  public CampaignStore(Path results, Cases empty, BooleanSupplier unchanged) {
     this.folder = results.resolve(empty.shard().folder(empty.campaign()));
     this.output = OutputFolder.open(folder);
     this.empty = empty;
@@ -102,7 +103,7 @@ final class CampaignStore implements AutoCloseable {
    *
    * @param others files that are of the same inputs as the table
    */
-  void begin(String... others) {
+  public void begin(String... others) {
     boolean same =
         output.read(CASES).flatMap(CampaignStore::read).filter(empty::isLike).isPresent();
     if (!same) {
@@ -135,17 +136,17 @@ final class CampaignStore implements AutoCloseable {
     return ResultJson.ifValid(bytes, Cases.class);
   }
 
-  Path path(String name) {
+  public Path path(String name) {
     return folder.resolve(name);
   }
 
   /** Returns the result of a case, if it is known. */
-  synchronized Optional<CampaignRow> find(CampaignCase id) {
+  public synchronized Optional<CampaignRow> find(CampaignCase id) {
     return Optional.ofNullable(rows.get(id));
   }
 
   /** Returns all results, in the order of their values. */
-  synchronized List<CampaignRow> rows() {
+  public synchronized List<CampaignRow> rows() {
     return List.copyOf(rows.values());
   }
 
@@ -154,7 +155,7 @@ final class CampaignStore implements AutoCloseable {
    *
    * @throws DiagnosticException if results can no longer be written
    */
-  synchronized void add(CampaignRow row) {
+  public synchronized void add(CampaignRow row) {
     rows.put(row.id(), row);
     unsaved.add(row);
     if (saved.filter(Future::isDone).isPresent()) { // It failed; this says why.
@@ -166,7 +167,7 @@ final class CampaignStore implements AutoCloseable {
    * Writes the results that are in no file, unless they may be of other inputs: after a kill,
    * nobody else would see an edit that was taken back.
    */
-  synchronized void save() {
+  public synchronized void save() {
     if (!unsaved.isEmpty() && unchanged.getAsBoolean()) {
       write(part(++parts), ResultJson.bytes(empty.with(unsaved, false)));
       unsaved.clear();
@@ -174,7 +175,7 @@ final class CampaignStore implements AutoCloseable {
   }
 
   /** Forgets all other cases. */
-  synchronized void retain(Collection<CampaignCase> cases) {
+  public synchronized void retain(Collection<CampaignCase> cases) {
     Set<CampaignCase> kept = new TreeSet<>(CampaignCase.ORDER);
     kept.addAll(cases);
     rows.keySet().retainAll(kept);
@@ -182,20 +183,20 @@ final class CampaignStore implements AutoCloseable {
   }
 
   /** Writes all cases into one file, after which nothing is missing. */
-  synchronized void complete() {
+  public synchronized void complete() {
     write(CASES, ResultJson.bytes(empty.with(rows.values(), true)));
     output.removeAll(PARTS);
   }
 
   /** Drops all results. */
-  synchronized void discard() {
+  public synchronized void discard() {
     unsaved.clear();
     rows.clear();
     RESULTS.forEach(output::remove);
     output.removeAll(PARTS);
   }
 
-  void write(String name, byte[] content) {
+  public void write(String name, byte[] content) {
     output.write(name, content, OutputFolder.OnEdit.OVERWRITE);
   }
 

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.documents.CsvText;
 import dev.eventchain.simulation.verdict.CaseResult;
@@ -16,7 +16,7 @@ import java.util.Set;
  * The cases as a table (RFC 4180, with line feeds): number, further columns, factors, repetition,
  * verdict, impact speed, end, the margin of each criterion with its unit, and the reason.
  */
-final class CampaignTable {
+public final class CampaignTable {
 
   private final List<String> factors;
   private final List<CampaignRow> rows;
@@ -27,7 +27,7 @@ final class CampaignTable {
   private final Set<Column> columns = new LinkedHashSet<>();
   private final Map<String, List<String>> further = new LinkedHashMap<>();
 
-  CampaignTable(List<String> factors, List<CampaignRow> rows) {
+  public CampaignTable(List<String> factors, List<CampaignRow> rows) {
     this.factors = factors;
     this.rows = rows;
     for (CampaignRow row : rows) {
@@ -40,12 +40,12 @@ final class CampaignTable {
   }
 
   /** Adds a column after the first one, with a cell for each case. */
-  CampaignTable with(String name, List<String> cells) {
+  public CampaignTable with(String name, List<String> cells) {
     further.put(name, cells);
     return this;
   }
 
-  byte[] csv() {
+  public byte[] csv() {
     List<String> head = new ArrayList<>(List.of("case"));
     head.addAll(further.keySet());
     head.addAll(factors);

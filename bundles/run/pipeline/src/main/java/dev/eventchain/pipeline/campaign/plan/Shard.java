@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.plan;
 
 /**
  * A part of a campaign: every {@code count}th combination, from the {@code number}th on.
@@ -27,22 +27,23 @@ public record Shard(int number, int count) {
     return shard;
   }
 
-  boolean isAll() {
+  /** Returns whether it is the whole campaign. */
+  public boolean coversAll() { // as isAll, it would be a property in JSON
     return count == 1;
   }
 
   /** Returns whether it has what is at an index, from 0. */
-  boolean has(int index) {
+  public boolean has(int index) {
     return numberOf(index, count) == number;
   }
 
   /** Returns the number of the part that has what is at an index. */
-  static int numberOf(int index, int count) {
+  public static int numberOf(int index, int count) {
     return index % count + 1;
   }
 
   /** Returns the name of the folder of a campaign's results. */
-  String folder(String campaign) {
-    return isAll() ? campaign : campaign + "-" + number + "-of-" + count;
+  public String folder(String campaign) {
+    return coversAll() ? campaign : campaign + "-" + number + "-of-" + count;
   }
 }

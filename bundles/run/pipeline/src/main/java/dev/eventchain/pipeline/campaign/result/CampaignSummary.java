@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -24,13 +24,13 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Results of the cases of a campaign, as findings and as text. */
-final class CampaignSummary {
+public final class CampaignSummary {
 
   private final CampaignPlan plan;
   private final List<CampaignRow> rows;
   private final Map<CampaignCase, Diagnostic> wrong;
 
-  CampaignSummary(CampaignPlan plan, List<CampaignRow> rows) {
+  public CampaignSummary(CampaignPlan plan, List<CampaignRow> rows) {
     this(plan, rows, Map.of());
   }
 
@@ -39,7 +39,8 @@ final class CampaignSummary {
    *
    * @param wrong what is wrong with the criteria of cases that ended by an error because of that
    */
-  CampaignSummary(CampaignPlan plan, List<CampaignRow> rows, Map<CampaignCase, Diagnostic> wrong) {
+  public CampaignSummary(
+      CampaignPlan plan, List<CampaignRow> rows, Map<CampaignCase, Diagnostic> wrong) {
     this.plan = plan;
     this.rows = rows;
     this.wrong = wrong;
@@ -53,12 +54,12 @@ final class CampaignSummary {
    * Returns a finding for each kind of case that did not pass, with its first case. Where a
    * boundary is searched, cases are to fail on one side of it.
    */
-  List<Diagnostic> findings(SourceLocation place) {
+  public List<Diagnostic> findings(SourceLocation place) {
     return findings(place, plan.boundary().isEmpty() || count(Label.PASSED) == 0);
   }
 
   /** As {@link #findings(SourceLocation)}, with or without one for the cases that failed. */
-  List<Diagnostic> findings(SourceLocation place, boolean withFailed) {
+  public List<Diagnostic> findings(SourceLocation place, boolean withFailed) {
     List<Diagnostic> found = new ArrayList<>(new LinkedHashSet<>(wrong.values()));
     add(found, Label.ERROR, "ended by an error", CampaignRules.CASE_ERROR, place);
     if (withFailed) {
@@ -115,7 +116,7 @@ final class CampaignSummary {
    * Returns a test for each case, which failed if it did not pass; none where a boundary is
    * searched, since cases are to fail there.
    */
-  List<Trial> trials() {
+  public List<Trial> trials() {
     List<Trial> trials = new ArrayList<>();
     if (plan.boundary().isPresent()) {
       return trials;
@@ -173,7 +174,7 @@ final class CampaignSummary {
         .toList();
   }
 
-  String text() {
+  public String text() {
     StringBuilder text =
         new StringBuilder(
             "%s: %d passed, %d failed, %d not tested, %d ended by an error%n"

@@ -1,6 +1,7 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
+import dev.eventchain.pipeline.campaign.plan.Shard;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.report.PageCharts;
 import dev.eventchain.pipeline.report.StaticPage;
@@ -20,7 +21,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /** The results of a campaign as one HTML file without scripts. */
-final class CampaignPage {
+public final class CampaignPage {
 
   private static final int NEAREST = 10;
   private static final int NEAREST_OF_ONE = 3;
@@ -63,7 +64,7 @@ final class CampaignPage {
     this.charts = new PageCharts(page);
   }
 
-  static String of(
+  public static String of(
       Project project,
       CampaignPlan plan,
       Shard shard,
@@ -298,7 +299,7 @@ final class CampaignPage {
     raw("</tbody></table></div></section>\n");
   }
 
-  static String margin(CriterionMargin margin) {
+  public static String margin(CriterionMargin margin) {
     return String.format(Locale.ROOT, "%.3g%s", margin.margin().orElseThrow(), unit(margin));
   }
 
@@ -308,7 +309,7 @@ final class CampaignPage {
 
   private void onceMore(int number) {
     String only = plan.part().map(name -> " --only " + name).orElse("");
-    String part = shard.isAll() ? "" : " --shard " + shard.number() + "/" + shard.count();
+    String part = shard.coversAll() ? "" : " --shard " + shard.number() + "/" + shard.count();
     add(
         "<td><code>eventchain campaign DIR %s%s%s --case %s</code></td></tr>\n",
         plan.file(), only, part, number);

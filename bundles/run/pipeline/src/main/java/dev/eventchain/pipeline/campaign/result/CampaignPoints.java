@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
@@ -19,14 +19,14 @@ import java.util.OptionalDouble;
  * @param source the protocol, with its version
  * @param scores in the order of the cases
  */
-record CampaignPoints(String source, List<Score> scores) {
+public record CampaignPoints(String source, List<Score> scores) {
 
-  CampaignPoints {
+  public CampaignPoints {
     scores = List.copyOf(scores);
   }
 
   /** Returns the points of cases; empty if the campaign counts none. */
-  static Optional<CampaignPoints> of(CampaignPlan plan, List<CampaignRow> rows) {
+  public static Optional<CampaignPoints> of(CampaignPlan plan, List<CampaignRow> rows) {
     return plan.points()
         .map(
             points ->
@@ -56,12 +56,12 @@ record CampaignPoints(String source, List<Score> scores) {
   }
 
   /** Returns the sum of all, such as "12.5 of 14". */
-  String total() {
+  public String total() {
     return number(sum()) + " of " + number(most());
   }
 
   /** Returns what people have to know about the sum. */
-  String note() {
+  public String note() {
     String note = source;
     if (without() > 0) {
       note += "; none for " + Coverage.counted(without(), "case") + " without a verdict";
@@ -102,7 +102,7 @@ record CampaignPoints(String source, List<Score> scores) {
   }
 
   /** Adds the columns of points. */
-  CampaignTable in(CampaignTable table) {
+  public CampaignTable in(CampaignTable table) {
     List<String> points = new ArrayList<>();
     List<String> most = new ArrayList<>();
     for (Score each : scores) {
@@ -124,7 +124,7 @@ record CampaignPoints(String source, List<Score> scores) {
   private record Written(
       String campaign, String source, double points, double most, List<Case> cases) {}
 
-  byte[] json(CampaignPlan plan, List<CampaignRow> rows) {
+  public byte[] json(CampaignPlan plan, List<CampaignRow> rows) {
     List<Case> cases = new ArrayList<>();
     for (int i = 0; i < rows.size(); i++) {
       Map<String, BigDecimal> values = new LinkedHashMap<>();

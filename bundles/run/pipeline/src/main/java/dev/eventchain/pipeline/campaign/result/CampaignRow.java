@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.simulation.verdict.CaseResult;
@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.Locale;
 
 /** A case with what became of it. */
-record CampaignRow(CampaignCase id, CaseResult result) {
+public record CampaignRow(CampaignCase id, CaseResult result) {
 
   static final Comparator<CampaignRow> ORDER =
       Comparator.comparing(CampaignRow::id, CampaignCase.ORDER);
@@ -16,7 +16,7 @@ record CampaignRow(CampaignCase id, CaseResult result) {
     return result.label().name().toLowerCase(Locale.ROOT);
   }
 
-  boolean is(CaseResult.Label label) {
+  public boolean is(CaseResult.Label label) {
     return result.label() == label;
   }
 }

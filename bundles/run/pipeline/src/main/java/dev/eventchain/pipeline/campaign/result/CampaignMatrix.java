@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline.campaign;
+package dev.eventchain.pipeline.campaign.result;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
@@ -17,7 +17,7 @@ import java.util.TreeSet;
  * column for each one of the second, if there is one, with the points of each case, if there are
  * any. Others have no such table.
  */
-final class CampaignMatrix {
+public final class CampaignMatrix {
 
   /** The most columns, so that a line fits into a terminal. */
   private static final int WIDEST = 8;
