@@ -152,6 +152,38 @@ class InitTest {
     new Program().run("run", project).expect(0).says("1 requirement proved");
   }
 
+  /** There is nothing to hit for what drives nothing. */
+  @Test
+  void theFirstScenarioOfALampIsNoApproach() throws IOException {
+    Path project = folder.resolve("lamp");
+    Path base = Files.createDirectories(project.resolve("software-base"));
+    Files.writeString(
+        base.resolve("signals.json"),
+        """
+        [
+          {"Topic Name": "/tank/level", "Message Type": "std_msgs/msg/Float32", "direction": "provided",
+           "Message Definition": [{"Field": "data", "Type": "float32", "Unit": "%"}]},
+          {"Topic Name": "/cluster/lamp", "Message Type": "std_msgs/msg/Bool", "direction": "consumed",
+           "Message Definition": [{"Field": "data", "Type": "bool"}]}
+        ]
+        """);
+    Files.writeString(
+        project.resolve("requirements.md"), "- T-1: A lamp shall be lit below 5 %.\n");
+    new Program().run("init", project).expect(0).says("scenarios/standing.yaml");
+    assertEquals(
+        """
+        accept:
+          formulas:
+            # Say what has to hold when it happens, and of each requirement quote the words that this judges.
+            - name: nothing is switched on
+              judges:
+                T-1: "A lamp shall be lit below 5 %."
+              formula: always[0.5, 12] not /cluster/lamp.data
+        """,
+        Files.readString(project.resolve("scenarios/standing.yaml"))
+            .replaceFirst("(?s).*(?=accept:)", ""));
+  }
+
   @Test
   void componentsThatNameOtherRequirementsAreRefusedBeforeAnythingIsWritten() throws IOException {
     Path project = folder.resolve("other");

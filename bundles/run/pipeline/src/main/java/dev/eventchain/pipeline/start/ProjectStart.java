@@ -1,6 +1,5 @@
 package dev.eventchain.pipeline.start;
 
-import com.fasterxml.jackson.databind.node.TextNode;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -15,7 +14,6 @@ import dev.eventchain.messages.RosDistribution;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.Signal;
 import dev.eventchain.model.TopicIndex;
-import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
@@ -42,7 +40,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -206,9 +203,12 @@ public final class ProjectStart {
         files.put(ProjectLayout.MODEL, new String(XmiStore.toBytes(chain), StandardCharsets.UTF_8));
       }
     }
-    files.put(ProjectLayout.BENCH, bench.text(base.signals().orElse(List.of()), catalog, rates));
+    List<Signal> signals = base.signals().orElse(List.of());
+    String connections = bench.text(signals, catalog, rates);
+    files.put(ProjectLayout.BENCH, connections);
     if (!exists(ProjectLayout.SCENARIOS)) {
-      files.put(ProjectLayout.SCENARIOS + "/stopped-vehicle.yaml", scenario(requirements));
+      FirstScenario first = FirstScenario.of(requirements, signals, connections);
+      files.put(ProjectLayout.SCENARIOS + "/" + first.name() + ".yaml", first.text());
     }
   }
 
@@ -270,36 +270,6 @@ public final class ProjectStart {
       }
     }
     return Optional.empty();
-  }
-
-  private static String scenario(Requirements requirements) {
-    return """
-    name: stopped-vehicle
-    title: A stopped vehicle ahead, 50 km/h
-    requirements: %s
-    duration_s: 12
-    ego:
-      speed_kmh: 50
-    actors:
-      - gap_m: 80
-        speed_kmh: 0
-    accept:
-      no_impact: true
-      # Of each requirement, leave the words that no_impact judges, or remove it here and above.
-      judges:
-        no_impact:
-    %s
-    """
-        .formatted(
-            requirements.items().stream().map(WrittenRequirement::id).toList(),
-            requirements.items().stream()
-                .map(ProjectStart::judged)
-                .collect(Collectors.joining("\n")));
-  }
-
-  private static String judged(WrittenRequirement requirement) {
-    String words = requirement.text().strip().replaceAll("\\s+", " ");
-    return "      " + requirement.id() + ": " + TextNode.valueOf(words);
   }
 
   /** Returns the folder's software; an empty list if there are no components. */
