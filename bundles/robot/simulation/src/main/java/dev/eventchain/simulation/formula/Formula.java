@@ -210,18 +210,34 @@ public final class Formula {
 
   private static Outcome valueless(Condition.Comparison comparison, SampledRun run, int sample) {
     String text = format("'%s' has no value %s", comparison.text(), after(run, sample));
-    List<String> topics =
+    List<Signal> silent =
         comparison
             .signals()
             .flatMap(Signal::origins)
-            .filter(signal -> Double.isNaN(run.of(signal)[sample]))
-            .flatMap(signal -> signal.topic().stream())
-            .distinct()
+            .filter(signal -> signal.topic().isPresent() && Double.isNaN(run.of(signal)[sample]))
             .toList();
-    return topics.isEmpty()
-        ? Outcome.untested(text)
-        : Outcome.valueless(
-            text + ", since there was no current message on " + topics.get(0), topics);
+    if (silent.isEmpty()) {
+      return Outcome.untested(text);
+    }
+    List<String> topics =
+        silent.stream().flatMap(each -> each.topic().stream()).distinct().toList();
+    return Outcome.valueless(
+        text
+            + ", since there was no current message on "
+            + topics.get(0)
+            + first(run.of(silent.get(0)), sample, run),
+        topics);
+  }
+
+  /** Returns when the first message came, for a formula that begins before it; or nothing. */
+  private static String first(double[] values, int sample, SampledRun run) {
+    int first = 0;
+    while (first < values.length && Double.isNaN(values[first])) {
+      first++;
+    }
+    return first > sample && first < values.length
+        ? "; the first one came " + after(run, first)
+        : "";
   }
 
   private static Outcome outcome(boolean passed, FormulaEvaluation evaluation, SampledRun run) {

@@ -19,6 +19,8 @@ import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
@@ -138,6 +140,46 @@ class FormulaTest {
     empty.state(States.of(0, 5, INFINITE, INFINITE, 0));
     empty.state(States.of(World.TRACE_STEP, 5, INFINITE, INFINITE, 0));
     assertEquals(expected, judge(formula, empty));
+  }
+
+  /** A formula that begins too early says so; one that ends in silence does not. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "always not /lamp.data | '/lamp.data' has no value after 0.00 s, since there was no current"
+            + " message on /lamp; the first one came after 0.03 s",
+        "always[0.03, 0.6] not /lamp.data | '/lamp.data' has no value after 0.50 s, since there was"
+            + " no current message on /lamp",
+      })
+  void aTopicWithoutAMessageIsNotTested(String formula, String expected) {
+    Signal lamp =
+        new Signal(
+            "/lamp.data",
+            "1",
+            true,
+            "a lamp",
+            trace ->
+                IntStream.range(0, trace.states().size())
+                    .mapToDouble(i -> i < 3 || i >= 50 ? Double.NaN : 0)
+                    .toArray(),
+            trace -> Optional.empty());
+    Signal.Source signals =
+        new Signal.Source() {
+          @Override
+          public Optional<Signal> find(String name) {
+            return Optional.of(lamp).filter(each -> each.name().equals(name));
+          }
+
+          @Override
+          public List<String> names() {
+            return List.of(lamp.name());
+          }
+        };
+    Outcome outcome =
+        Formula.parse(SourceText.of("f", formula).whole(), signals, DURATION).judge(run());
+    assertFalse(outcome.tested(), outcome::detail);
+    assertEquals(expected, outcome.detail());
   }
 
   @Test
