@@ -9,7 +9,6 @@ import dev.eventchain.model.Signal.Direction;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.TopicIndex.Endpoint;
 import dev.eventchain.model.TopicIndex.Topic;
-import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
@@ -238,11 +237,10 @@ final class BenchCheck {
     }
   }
 
-  /** Returns the paths of a topic's fields that simulated components write. */
+  /** Returns the paths of a topic's fields that components and nodes as they are write. */
   private List<String> written(Consumed consumed) {
     return topics.find(consumed.topic()).stream()
         .flatMap(topic -> topic.publishers().stream())
-        .filter(writer -> writer.node().getImplementation() == ComponentImplementation.COMPONENT)
         .flatMap(endpoint -> endpoint.data().stream())
         .map(Data::getFieldName)
         .filter(path -> path != null)

@@ -60,6 +60,19 @@ final class BenchProposal {
   /** Entries whose lines mean nothing without those around them. */
   private static final Pattern NESTED = Pattern.compile("^#? *(laser_scan|objects):$");
 
+  /** What nobody but the maker of a robot can say, which a bench with a speed needs. */
+  private static final String FOLLOWING =
+      """
+      # How the robot follows a commanded speed: say it here, without the signs of comments.
+      #vehicle:
+      #  maximal_acceleration_mps2: ?
+      #  maximal_deceleration_mps2: ?
+      #  command_timeout_s: ? # without commands it stops by itself after this time; 0 if it never does
+      """;
+
+  /** Messages of a commanded motion. */
+  private static final Pattern TWIST = Pattern.compile("geometry_msgs/msg/Twist(Stamped)?");
+
   private static final Pattern PRESENT = Pattern.compile("valid|present|detected");
 
   private final List<dev.eventchain.model.Signal> signals;
@@ -92,6 +105,9 @@ final class BenchProposal {
     section("provides:", Direction.PROVIDED);
     section("consumes:", Direction.CONSUMED);
     inputs.ifPresent(lines -> text.insert(head, lines));
+    if (signals.stream().anyMatch(BenchProposal::commandsSpeed)) {
+      text.insert(head, FOLLOWING);
+    }
     return text.toString();
   }
 
@@ -268,6 +284,14 @@ final class BenchProposal {
 
   private List<String> consumed(dev.eventchain.model.Signal signal) {
     List<String> lines = new ArrayList<>(List.of(topic(signal)));
+    if (signals.stream()
+        .filter(BenchProposal::commandsSpeed)
+        .findFirst()
+        .equals(Optional.of(signal))) {
+      lines.add("    fields:");
+      signal.fields().forEach(field -> lines.add("      " + field.path() + ": " + twist(field)));
+      return lines;
+    }
     List<String> fields = new ArrayList<>();
     List<Actuator> used = new ArrayList<>();
     for (Field field : signal.fields()) {
@@ -283,6 +307,23 @@ final class BenchProposal {
       lines.addAll(fields);
     }
     return lines;
+  }
+
+  /** Returns whether the vehicle takes a speed from a signal. */
+  private static boolean commandsSpeed(dev.eventchain.model.Signal signal) {
+    return signal.direction() == Direction.CONSUMED
+        && TWIST.matcher(RosNames.fullMessageType(signal.messageType())).matches()
+        && signal.fields().stream().anyMatch(field -> twist(field).contains("speed"));
+  }
+
+  /** Returns what a field of a twist does, in the units that geometry_msgs has by REP 103. */
+  private static String twist(Field field) {
+    String unit = field.unit().isEmpty() ? ", unit: %s}" : "}";
+    return switch (field.path().replaceFirst("^twist\\.", "")) {
+      case "linear.x" -> "{drives: speed" + unit.formatted("m/s");
+      case "angular.z" -> "{drives: yaw_rate" + unit.formatted("rad/s");
+      default -> "observed";
+    };
   }
 
   private Optional<Actuator> actuator(dev.eventchain.model.Signal signal, Field field) {

@@ -16,6 +16,7 @@ import dev.eventchain.model.Signal.Direction;
 import dev.eventchain.simulation.bench.Bench.Consumed;
 import dev.eventchain.simulation.bench.Bench.Provided;
 import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.world.Actuator;
 import dev.eventchain.simulation.world.EgoVehicle;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -49,6 +50,7 @@ public final class BenchReader {
   private final Map<String, Consumed> consumed = new LinkedHashMap<>();
   private final Set<String> own = new LinkedHashSet<>();
   private final Map<String, Signal> inputs = new LinkedHashMap<>();
+  private final Set<String> stated = new LinkedHashSet<>();
   private EgoVehicle vehicle = EgoVehicle.withSpeed(0);
 
   private BenchReader(DeclaredSignals declared, MessageCatalog catalog) {
@@ -156,11 +158,48 @@ public final class BenchReader {
     ownConsumed.forEach((topic, read) -> checkTopic(topic, read.location(), Direction.CONSUMED));
     own.addAll(ownProvided.keySet());
     own.addAll(ownConsumed.keySet());
+    checkSpeed(ownConsumed);
     provided.putAll(ownProvided);
     consumed.putAll(ownConsumed);
   }
 
+  /** Checks that a bench whose vehicle follows a speed says how it does, and until when. */
+  private void checkSpeed(Map<String, Consumed> read) {
+    Optional<Bench.Effect> speed = effect(read, Actuator.SPEED);
+    Optional<Bench.Effect> yawRate = effect(read, Actuator.YAW_RATE);
+    if (yawRate.isPresent() && speed.isEmpty()) {
+      problems.add(
+          Diagnostic.of(
+                  BenchRules.BENCH_KEY_MISSING,
+                  "'%s' drives yaw_rate, and no field drives the speed beside it."
+                      .formatted(yawRate.get().path()),
+                  yawRate.get().location())
+              .withHint("Let a field drive `speed`, or drive `steering_angle` instead."));
+    }
+    List<String> missing =
+        VehicleReader.FOLLOWING.stream().filter(it -> !stated.contains(it)).toList();
+    if (speed.isPresent() && !missing.isEmpty()) {
+      problems.add(
+          Diagnostic.of(
+                  BenchRules.BENCH_KEY_MISSING,
+                  "'%s' drives the speed, and `vehicle` does not say how it follows that: %s."
+                      .formatted(speed.get().path(), String.join(", ", missing)),
+                  speed.get().location())
+              .withHint(
+                  "Write them under `vehicle`: the limits of its acceleration, and how long a command"
+                      + " holds before it stops by itself, which is 0 if it never does."));
+    }
+  }
+
+  private static Optional<Bench.Effect> effect(Map<String, Consumed> read, Actuator actuator) {
+    return read.values().stream()
+        .flatMap(topic -> topic.fields().stream())
+        .filter(each -> each.actuator().equals(Optional.of(actuator)))
+        .findFirst();
+  }
+
   private void vehicle(ObjectReader section) {
+    VehicleReader.FOLLOWING.stream().filter(section::has).forEach(stated::add);
     vehicle = VehicleReader.read(section, vehicle, 0, BenchRules.BENCH_VALUE_RANGE);
     section.refuseOthers();
   }

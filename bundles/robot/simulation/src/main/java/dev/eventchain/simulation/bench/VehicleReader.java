@@ -8,12 +8,20 @@ import dev.eventchain.simulation.world.EgoVehicle;
 import dev.eventchain.simulation.world.LidarSettings;
 import dev.eventchain.simulation.world.Shape;
 import dev.eventchain.simulation.world.World;
+import java.util.List;
 import java.util.OptionalDouble;
 
 /** Reads the properties of the vehicle, of a bench or of a scenario. */
 public final class VehicleReader {
 
   private static final String SPEED_STEP = "speed_step_s";
+
+  private static final String COMMAND_TIMEOUT = "command_timeout_s";
+
+  /** What says how a vehicle follows a commanded speed. */
+  static final List<String> FOLLOWING =
+      List.of("maximal_acceleration_mps2", "maximal_deceleration_mps2", COMMAND_TIMEOUT);
+
   private static final double SHORTEST_STEP = World.seconds(World.TRACE_STEP);
 
   private VehicleReader() {}
@@ -37,7 +45,8 @@ public final class VehicleReader {
             lidar(section, usual.lidar()),
             chassis(section, usual.chassis()),
             shape(section, usual.shape()),
-            speedStep(section, usual.speedStep(), range));
+            speedStep(section, usual.speedStep(), range),
+            number(section, COMMAND_TIMEOUT, usual.commandTimeout(), 0, 10));
     double axles = vehicle.chassis().wheelbase() + vehicle.shape().frontOverhang();
     if (axles > vehicle.shape().length()) {
       String key = section.has("length_m") ? "length_m" : "wheelbase_m";

@@ -295,11 +295,14 @@ public final class ScenarioJudge {
         .anyMatch(evidence.outputs()::dependsOnSoftware);
   }
 
-  /** Returns whether a named criterion needs the brake while no component drives it. */
+  /**
+   * Returns whether a named criterion needs the brake, or a speed, while no component drives it.
+   */
   private boolean needsBrake(Expectation expectation) {
     return expectation instanceof Criterion criterion
         && !criterion.kind().always()
-        && !chain.drives(Actuator.BRAKE, Actuator.ACCELERATION);
+        && !chain.drives(Actuator.BRAKE, Actuator.ACCELERATION)
+        && !(criterion.kind().isOfMotion() && chain.drives(Actuator.SPEED));
   }
 
   private static Optional<Measurements.Statistics> latency(RunLog log, SimulatedChain chain) {

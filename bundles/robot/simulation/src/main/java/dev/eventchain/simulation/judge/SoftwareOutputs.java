@@ -20,6 +20,11 @@ import java.util.stream.Collectors;
 final class SoftwareOutputs {
 
   private static final Actuator[] STEERING = {Actuator.STEERING, Actuator.STEERING_ANGLE};
+  private static final Actuator[] TURNING = {
+    Actuator.STEERING, Actuator.STEERING_ANGLE, Actuator.YAW_RATE
+  };
+
+  private static final Set<Actuator> MOVING = Set.of(Actuator.ACCELERATION, Actuator.SPEED);
 
   private final SimulatedChain chain;
   private final List<ScenarioRun> runs;
@@ -57,14 +62,14 @@ final class SoftwareOutputs {
       case "brake" -> chain.drives(Actuator.BRAKE, Actuator.ACCELERATION);
       case "throttle" -> chain.drives(Actuator.THROTTLE, Actuator.ACCELERATION);
       case "lane.width", "lane.curvature" -> false;
-      case "steering",
-          "ego.offset",
+      case "steering" -> chain.drives(STEERING);
+      case "ego.offset",
           "ego.heading",
           "ego.yaw_rate",
           "ego.acceleration.left",
           "lane.left",
           "lane.right" ->
-          chain.drives(STEERING);
+          chain.drives(TURNING);
       default ->
           signal.basis().isEmpty()
               ? WorldSignals.isKnown(signal.name()) && chain.drives(Actuator.values())
@@ -156,6 +161,7 @@ final class SoftwareOutputs {
     return field.actuator().isPresent()
         && chain.isWritten(topic.topic(), field.path())
         && (pedalOrWheel(field.actuator().get(), "").equals(command)
-            || (field.actuator().get() == Actuator.ACCELERATION && !command.equals("steering")));
+            || (MOVING.contains(field.actuator().get()) && !command.equals("steering"))
+            || (field.actuator().get() == Actuator.YAW_RATE && command.equals("steering")));
   }
 }

@@ -41,7 +41,7 @@ final class WithoutSoftware {
    * @param run the run with the software, which is not kept
    */
   WithoutSoftware(ScenarioRun run, SimulatedChain chain) {
-    boolean steers = chain.drives(Actuator.STEERING, Actuator.STEERING_ANGLE);
+    boolean steers = chain.drives(Actuator.STEERING, Actuator.STEERING_ANGLE, Actuator.YAW_RATE);
     Trace with = run.trace();
     traces = new ArrayList<>();
     traces.add(drive(run, steers, OptionalLong.empty(), OptionalLong.empty()));

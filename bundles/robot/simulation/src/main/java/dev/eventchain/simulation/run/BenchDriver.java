@@ -46,6 +46,8 @@ final class BenchDriver {
 
   private static final TypedTopic CLOCK = new TypedTopic("/clock", "rosgraph_msgs/msg/Clock");
 
+  private static final Set<Actuator> MOTION = Set.of(Actuator.SPEED, Actuator.YAW_RATE);
+
   /**
    * A measured message that has not arrived yet.
    *
@@ -315,7 +317,11 @@ final class BenchDriver {
       demands.put(effect.actuator().get(), effect.demand(number(message, effect.path())));
     }
     if (!receiver.effects().isEmpty()) {
-      world.command(outbound.time(), VehicleCommand.of(demands, scenario.situation().ego()));
+      boolean isRenewed =
+          receiver.effects().stream()
+              .anyMatch(effect -> effect.actuator().filter(MOTION::contains).isPresent());
+      world.command(
+          outbound.time(), VehicleCommand.of(demands, scenario.situation().ego(), isRenewed));
     }
   }
 

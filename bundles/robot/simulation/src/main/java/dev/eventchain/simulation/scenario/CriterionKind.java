@@ -52,6 +52,14 @@ public enum CriterionKind {
     return key.endsWith("_ttc_s");
   }
 
+  /** Returns whether it is about how the ego moves, however it is commanded. */
+  public boolean isOfMotion() {
+    return this == NO_IMPACT
+        || this == STOPS
+        || this == MINIMAL_GAP
+        || this == MAXIMAL_IMPACT_SPEED;
+  }
+
   /** Returns whether it holds for every scenario and has no key. */
   public boolean always() {
     return unit < 0;

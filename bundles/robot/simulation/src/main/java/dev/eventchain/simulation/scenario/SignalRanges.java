@@ -18,8 +18,10 @@ import java.util.Set;
  */
 final class SignalRanges implements Range.Source {
 
-  private static final Set<Actuator> BACKWARDS = Set.of(Actuator.REVERSE, Actuator.GEAR);
-  private static final Set<Actuator> WHEELS = Set.of(Actuator.STEERING, Actuator.STEERING_ANGLE);
+  private static final Set<Actuator> BACKWARDS =
+      Set.of(Actuator.REVERSE, Actuator.GEAR, Actuator.SPEED);
+  private static final Set<Actuator> WHEELS =
+      Set.of(Actuator.STEERING, Actuator.STEERING_ANGLE, Actuator.YAW_RATE);
 
   private final Situation situation;
   private final Map<String, Script> inputs;

@@ -153,7 +153,8 @@ final class Stage {
         usual.lidar(),
         chassis,
         new Shape(box.length(), box.width(), box.z() + box.height() / 2, box.front() - wheelbase),
-        usual.speedStep());
+        usual.speedStep(),
+        usual.commandTimeout());
   }
 
   /** Returns the distance of the axles, which a vehicle of the scenario says itself. */

@@ -25,6 +25,10 @@ public enum Actuator {
   REVERSE("1", true, "reverse gear; engages at standstill"),
   /** The gear. */
   GEAR("1", false, "gear: -1 backwards, 0 neutral, 1 and more forwards; instead of reverse"),
+  /** A speed, which the vehicle keeps by itself, as mobile robots do. */
+  SPEED("m/s", false, "speed, negative backwards; instead of pedals, acceleration and gear"),
+  /** A rate of turning, which the vehicle keeps by itself, beside a speed. */
+  YAW_RATE("rad/s", false, "yaw rate, left is positive; instead of steering, beside speed"),
   /** Manual mode, in which the software shifts the gears. */
   MANUAL_GEAR_SHIFT("1", true, "gears shifted by the software; not simulated: must stay false");
 
@@ -83,7 +87,8 @@ public enum Actuator {
       case THROTTLE -> Set.of("throttle");
       case BRAKE -> Set.of("brake");
       case ACCELERATION -> Set.of("throttle", "brake");
-      case STEERING, STEERING_ANGLE -> Set.of("wheels");
+      case SPEED -> Set.of("throttle", "brake", "gear", "hand brake");
+      case STEERING, STEERING_ANGLE, YAW_RATE -> Set.of("wheels");
       case HAND_BRAKE -> Set.of("hand brake");
       case REVERSE, GEAR -> Set.of("gear");
       case MANUAL_GEAR_SHIFT -> Set.of("shift");

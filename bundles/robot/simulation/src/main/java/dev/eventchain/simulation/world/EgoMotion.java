@@ -1,5 +1,8 @@
 package dev.eventchain.simulation.world;
 
+import java.util.Optional;
+import java.util.OptionalDouble;
+
 /**
  * Position and motion of the ego. Along its path it is a point mass whose deceleration follows a
  * demand with a limited slope; an acceleration is a negative one. Between two changes of the demand
@@ -7,6 +10,9 @@ package dev.eventchain.simulation.world;
  * depend on a step size; only the drag is held for at most 10 ms. The path is that of a kinematic
  * bicycle (Rajamani, Vehicle Dynamics and Control, 2.2): the rear axle follows an arc without slip,
  * whose curvature is the tangent of the steering angle divided by the wheelbase.
+ *
+ * <p>A vehicle that keeps a commanded speed by itself changes it by its maximal acceleration or
+ * deceleration until it has it, and turns by the commanded rate, as tight as its wheels allow.
  *
  * <p>Instead, a vehicle may change its speed in steps, at the start of each: driver models that are
  * published with this step come to other results on a vehicle that changes it continuously.
@@ -41,6 +47,9 @@ public final class EgoMotion {
 
   /** The driver's demand of deceleration, in m/s2. */
   private double driven;
+
+  /** The motion that the vehicle keeps by itself. */
+  private Optional<VehicleCommand.Motor> motor = Optional.empty();
 
   public EgoMotion(EgoVehicle vehicle) {
     this.maximalDeceleration = vehicle.maximalDeceleration();
@@ -80,6 +89,7 @@ public final class EgoMotion {
     this.held = other.held;
     this.steered = other.steered;
     this.driven = other.driven;
+    this.motor = other.motor;
   }
 
   /** Returns a copy, to try out a time step. */
@@ -115,6 +125,12 @@ public final class EgoMotion {
   double farthest() {
     double ends = Math.max(axleToBumper, shape.length() - axleToBumper);
     return ends + shape.width() / 2;
+  }
+
+  /** Returns an upper bound of the curvature of its path in a time step, in 1/m. */
+  double turning() {
+    boolean turnsItself = motor.filter(it -> it.yawRate().isPresent()).isPresent();
+    return turnsItself ? chassis.tightest() : speed > 0.0 ? Math.abs(curvature) : 0.0;
   }
 
   /** Returns the yaw rate in rad/s, positive to the left. */
@@ -183,11 +199,24 @@ public final class EgoMotion {
     if (!steered) {
       curvature = chassis.curvature(command.limitedSteering());
     }
+    if (command.motor().filter(it -> !it.isRenewed()).isEmpty()) {
+      motor = command.motor();
+    }
     held &=
-        command.limitedBrake() == 0.0
+        motor.isEmpty()
+            && command.limitedBrake() == 0.0
             && command.limitedThrottle() == 0.0
             && !command.handBrake()
             && command.gear() == 1;
+  }
+
+  /** Lets a vehicle that keeps a speed by itself stop, and no longer turn. */
+  void halt() {
+    motor =
+        motor.map(
+            it ->
+                new VehicleCommand.Motor(
+                    0.0, it.yawRate().isPresent() ? OptionalDouble.of(0.0) : it.yawRate(), false));
   }
 
   /** Lets the driver release the pedals or the wheel, which then is straight. */
@@ -219,6 +248,9 @@ public final class EgoMotion {
 
   /** Begins a step of a speed that changes in steps, with the demand of this moment. */
   void step() {
+    if (motor.isPresent()) {
+      return; // it changes its speed continuously
+    }
     engage();
     double change = slope * speedStep;
     double demand = demand();
@@ -235,6 +267,10 @@ public final class EgoMotion {
 
   /** Advances the motion by some seconds. */
   void advance(double seconds) {
+    if (motor.isPresent()) {
+      keep(motor.get(), seconds);
+      return;
+    }
     if (speedStep > 0.0) {
       move(speed * seconds);
       return;
@@ -257,6 +293,35 @@ public final class EgoMotion {
       deceleration = piece == ramp ? target : deceleration + jerk * piece;
       left -= piece;
     }
+  }
+
+  /** Advances a vehicle that keeps a speed by itself, in pieces of constant acceleration. */
+  private void keep(VehicleCommand.Motor wanted, double seconds) {
+    double left = seconds;
+    while (left > 0.0) {
+      if (speed == 0.0 && wanted.speed() != 0.0) {
+        direction = wanted.speed() < 0.0 ? -1 : 1;
+      }
+      double target = Math.max(0.0, direction * wanted.speed());
+      double most = target > speed ? maximalAcceleration : maximalDeceleration;
+      double needed = most > 0.0 ? Math.abs(target - speed) / most : Double.POSITIVE_INFINITY;
+      deceleration = target == speed ? 0.0 : target > speed ? -most : most;
+      double piece = target == speed ? left : Math.min(needed, left);
+      double after = piece == needed ? target : speed - deceleration * piece;
+      double distance = (speed + after) / 2.0 * piece;
+      wanted.yawRate().ifPresent(rate -> turn(rate * piece, direction * distance));
+      move(distance);
+      speed = after;
+      left -= piece;
+    }
+    if (speed == Math.max(0.0, direction * wanted.speed())) {
+      deceleration = 0.0;
+    }
+  }
+
+  /** Sets the curvature by which the heading turns by an angle on a way, if the wheels allow it. */
+  private void turn(double angle, double way) {
+    steer(way == 0.0 ? 0.0 : angle / way);
   }
 
   /** Integrates one piece with a constant change of the deceleration, in m/s3. */

@@ -20,6 +20,8 @@ package dev.eventchain.simulation.world;
  * @param shape the size of its body
  * @param speedStep how long the speed is constant before it changes at once, in s; 0 for a speed
  *     that changes continuously
+ * @param commandTimeout how long a command of a speed holds, in s, before the vehicle stops by
+ *     itself; 0 if it holds until the next one
  */
 public record EgoVehicle(
     double speed,
@@ -31,7 +33,8 @@ public record EgoVehicle(
     LidarSettings lidar,
     Chassis chassis,
     Shape shape,
-    double speedStep) {
+    double speedStep,
+    double commandTimeout) {
 
   /** Creates a vehicle of the usual size, whose speed changes continuously. */
   public EgoVehicle(
@@ -53,6 +56,7 @@ public record EgoVehicle(
         lidar,
         chassis,
         Shape.USUAL,
+        0.0,
         0.0);
   }
 
@@ -81,7 +85,8 @@ public record EgoVehicle(
         lidar,
         placed,
         shape,
-        speedStep);
+        speedStep,
+        commandTimeout);
   }
 
   /** Returns the distance from the rear axle, the reference of the motion, to the bumper, in m. */

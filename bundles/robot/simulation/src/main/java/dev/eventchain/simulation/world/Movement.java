@@ -33,8 +33,7 @@ final class Movement {
     this.until = until;
     this.road = road;
     this.travelled = travelled;
-    double turning = before.speed() > 0.0 ? Math.abs(before.yawRate() / before.speed()) : 0.0;
-    this.fastest = (before.speed() + CHANGE) * (1.0 + turning * before.farthest());
+    this.fastest = (before.speed() + CHANGE) * (1.0 + before.turning() * before.farthest());
   }
 
   /** Returns the ego at a time of the step. */

@@ -1,6 +1,8 @@
 package dev.eventchain.simulation.world;
 
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * Demand of the software on the vehicle.
@@ -12,6 +14,7 @@ import java.util.Map;
  * @param gear -1 backwards, 0 neutral, 1 forwards
  * @param ignored the demands that the simulated vehicle ignores, in words; empty if there are none
  * @param steers true if the software steers, so that a steering of 0 is a command as well
+ * @param motor the speed that the vehicle keeps by itself; empty if the software has the pedals
  */
 public record VehicleCommand(
     double throttle,
@@ -20,7 +23,17 @@ public record VehicleCommand(
     boolean handBrake,
     int gear,
     String ignored,
-    boolean steers) {
+    boolean steers,
+    Optional<Motor> motor) {
+
+  /**
+   * Motion that the vehicle keeps by itself.
+   *
+   * @param speed in m/s, negative backwards
+   * @param yawRate in rad/s, left is positive; empty if the software does not turn the vehicle
+   * @param isRenewed whether a message has just said so
+   */
+  public record Motor(double speed, OptionalDouble yawRate, boolean isRenewed) {}
 
   /** Maximum rounding error of a float32 acceleration, in m/s2. */
   private static final double ROUNDING = 1e-3;
@@ -37,7 +50,7 @@ public record VehicleCommand(
 
   /** Returns a command for the pedals that keeps the initial state of everything else. */
   static VehicleCommand pedals(double throttle, double brake) {
-    return new VehicleCommand(throttle, brake, 0.0, false, 1, "", false);
+    return new VehicleCommand(throttle, brake, 0.0, false, 1, "", false, Optional.empty());
   }
 
   /**
@@ -46,7 +59,12 @@ public record VehicleCommand(
    * @param steers true if it steers, and so holds the wheels straight
    */
   public static VehicleCommand idle(boolean steers) {
-    return new VehicleCommand(0.0, 0.0, 0.0, false, 1, "", steers);
+    return new VehicleCommand(0.0, 0.0, 0.0, false, 1, "", steers, Optional.empty());
+  }
+
+  /** Returns the command of demands that are all new. */
+  public static VehicleCommand of(Map<Actuator, Double> demands, EgoVehicle vehicle) {
+    return of(demands, vehicle, true);
   }
 
   /**
@@ -54,8 +72,10 @@ public record VehicleCommand(
    *
    * @param demands in the units of the actuators; 0 by default
    * @param vehicle converts an acceleration into positions of its pedals
+   * @param isRenewed whether a demand of a speed is new
    */
-  public static VehicleCommand of(Map<Actuator, Double> demands, EgoVehicle vehicle) {
+  public static VehicleCommand of(
+      Map<Actuator, Double> demands, EgoVehicle vehicle, boolean isRenewed) {
     double throttle = of(demands, Actuator.THROTTLE);
     double brake = of(demands, Actuator.BRAKE);
     if (demands.containsKey(Actuator.ACCELERATION)) {
@@ -78,7 +98,26 @@ public record VehicleCommand(
         of(demands, Actuator.HAND_BRAKE) != 0.0,
         gear,
         ignored(demands, vehicle, throttle, steering),
-        demands.containsKey(Actuator.STEERING) || demands.containsKey(Actuator.STEERING_ANGLE));
+        demands.containsKey(Actuator.STEERING)
+            || demands.containsKey(Actuator.STEERING_ANGLE)
+            || demands.containsKey(Actuator.YAW_RATE),
+        motor(demands, isRenewed));
+  }
+
+  /** Returns the motion that the vehicle is to keep; what is no number counts as 0. */
+  private static Optional<Motor> motor(Map<Actuator, Double> demands, boolean isRenewed) {
+    if (!demands.containsKey(Actuator.SPEED)) {
+      return Optional.empty();
+    }
+    OptionalDouble yawRate =
+        demands.containsKey(Actuator.YAW_RATE)
+            ? OptionalDouble.of(finite(demands.get(Actuator.YAW_RATE)))
+            : OptionalDouble.empty();
+    return Optional.of(new Motor(finite(demands.get(Actuator.SPEED)), yawRate, isRenewed));
+  }
+
+  private static double finite(double demand) {
+    return Double.isFinite(demand) ? demand : 0.0;
   }
 
   private static double of(Map<Actuator, Double> demands, Actuator actuator) {
@@ -98,6 +137,12 @@ public record VehicleCommand(
     }
     if (!(steering >= -1.0 && steering <= 1.0)) {
       return "steering " + steering;
+    }
+    double speed = of(demands, Actuator.SPEED);
+    double yawRate = of(demands, Actuator.YAW_RATE);
+    double most = Math.abs(speed) * vehicle.chassis().tightest() + ROUNDING;
+    if (!Double.isFinite(speed) || !(Math.abs(yawRate) <= most)) {
+      return "yaw_rate " + yawRate + " at speed " + speed;
     }
     return of(demands, Actuator.MANUAL_GEAR_SHIFT) != 0.0 ? Actuator.MANUAL_GEAR_SHIFT.id() : "";
   }

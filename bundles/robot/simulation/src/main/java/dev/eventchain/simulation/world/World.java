@@ -43,6 +43,9 @@ public final class World {
 
   private long wheelReleased = Long.MAX_VALUE;
 
+  /** Time at which the ego stops by itself, in ns, since no command of a speed came. */
+  private long halts = Long.MAX_VALUE;
+
   /** Approximate position of the ego along the road, in m: a bend may exceed a full circle. */
   private double travelled;
 
@@ -169,10 +172,15 @@ public final class World {
         follow(pending.remove().command());
         continue;
       }
+      if (halts <= now) {
+        ego.halt();
+        halts = Long.MAX_VALUE;
+      }
       ego.release(pedalsReleased <= now, wheelReleased <= now);
       if (following != null) {
         next = Math.min(next, following.effectiveAt());
       }
+      next = Math.min(next, halts);
       next = pedalsReleased > now ? Math.min(next, pedalsReleased) : next;
       next = wheelReleased > now ? Math.min(next, wheelReleased) : next;
       advancePiece(speedStep > 0 ? step(next) : next);
@@ -192,6 +200,10 @@ public final class World {
 
   private void follow(VehicleCommand command) {
     ego.follow(command, driver.scripted());
+    long timeout = nanoseconds(situation.ego().commandTimeout());
+    if (timeout > 0 && command.motor().filter(VehicleCommand.Motor::isRenewed).isPresent()) {
+      halts = now + timeout;
+    }
     trace.taken(now, !ego.held(), !ego.steered());
   }
 

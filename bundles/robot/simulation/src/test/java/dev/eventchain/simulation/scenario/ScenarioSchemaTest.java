@@ -78,6 +78,7 @@ class ScenarioSchemaTest {
         lidar_dropout_percent: 2
         lidar_azimuth_step_deg: 1
         speed_step_s: 0.1
+        command_timeout_s: 0.5
         maneuvers:
           - at_s: 1
             speed_kmh: 60

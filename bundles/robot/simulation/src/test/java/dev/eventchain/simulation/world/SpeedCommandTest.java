@@ -1,0 +1,156 @@
+package dev.eventchain.simulation.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Tests a vehicle that keeps a commanded speed by itself, as mobile robots do. */
+class SpeedCommandTest {
+
+  /** 0.5 m/s2 up, 1 m/s2 down, commands in effect at once that hold for 0.5 s. */
+  private static EgoVehicle robot(double speed, double timeout) {
+    EgoVehicle car =
+        new EgoVehicle(speed, 0.0, 0.3, 1.0, 0.5, 0.5, LidarSettings.USUAL, Chassis.USUAL);
+    return new EgoVehicle(
+        speed,
+        0.0,
+        car.brakeBuildUp(),
+        1.0,
+        car.coastingDeceleration(),
+        0.5,
+        car.lidar(),
+        car.chassis(),
+        car.shape(),
+        0.0,
+        timeout);
+  }
+
+  private static World world(EgoVehicle robot) {
+    HumanDriver driver =
+        new HumanDriver(
+            new SpeedProfile(robot.speed(), List.of()), new LateralProfile(0, List.of()), false);
+    Road road = Road.bend(0, Road.USUAL_LANE_WIDTH);
+    return new World(new Situation(robot, driver, road, List.of()), new Trace());
+  }
+
+  private static void command(World world, EgoVehicle robot, double speed, double yawRate) {
+    world.command(
+        world.now(),
+        VehicleCommand.of(Map.of(Actuator.SPEED, speed, Actuator.YAW_RATE, yawRate), robot));
+  }
+
+  /** It speeds up by 0.5 m/s2 and slows down by 1 m/s2, to the end of which it stands. */
+  @ParameterizedTest
+  @CsvSource({
+    "1.0, 2.0, 0.5, 1.25, 0.5625, 0.5",
+    "1.0, 2.0, 4.0, 2.0, 7.0, 0.0",
+    "1.0, 0.0, 0.5, 0.5, 0.375, -1.0",
+    "1.0, 0.0, 4.0, 0.0, 0.5, 0.0",
+    "1.0, -1.0, 4.0, -1.0, -1.5, 0.0",
+    "0.0, -1.0, 1.0, -0.5, -0.25, -0.5",
+    "1.0, 1.0, 3.0, 1.0, 3.0, 0.0"
+  })
+  void theSpeedIsReachedAtTheLimits(
+      double from, double to, double seconds, double speed, double way, double acceleration) {
+    EgoVehicle robot = robot(from, 0.0);
+    World world = world(robot);
+    command(world, robot, to, 0.0);
+    world.advanceTo(World.nanoseconds(seconds));
+    assertEquals(speed, world.ego().velocity(), 1e-9);
+    assertEquals(way, world.station().along(), 1e-9);
+    assertEquals(acceleration, 0.0 - world.trace().end().deceleration(), 1e-9);
+  }
+
+  /** Commands until 1 s hold until 1.5 s; then it needs 1 s to stop. */
+  @Test
+  void itStopsByItselfWithoutCommands() {
+    EgoVehicle robot = robot(1.0, 0.5);
+    World world = world(robot);
+    for (int i = 0; i <= 10; i++) {
+      world.advanceTo(World.nanoseconds(i / 10.0));
+      command(world, robot, 1.0, 0.0);
+    }
+    world.advanceTo(World.nanoseconds(1.5));
+    assertEquals(1.0, world.egoSpeed(), 1e-9);
+    world.advanceTo(World.nanoseconds(2.0));
+    assertEquals(0.5, world.egoSpeed(), 1e-9);
+    world.advanceTo(World.nanoseconds(5));
+    assertEquals(0.0, world.egoSpeed());
+    command(world, robot, 1.0, 0.0);
+    world.advanceTo(World.nanoseconds(5.4));
+    assertEquals(0.2, world.egoSpeed(), 1e-9);
+  }
+
+  /** A message on another topic repeats the speed, and is no sign of life of who commands it. */
+  @Test
+  void onlyANewSpeedCounts() {
+    EgoVehicle robot = robot(1.0, 0.5);
+    World world = world(robot);
+    command(world, robot, 1.0, 0.0);
+    for (int i = 1; i <= 30; i++) {
+      world.advanceTo(World.nanoseconds(i / 10.0));
+      world.command(world.now(), VehicleCommand.of(Map.of(Actuator.SPEED, 1.0), robot, false));
+    }
+    assertEquals(0.0, world.egoSpeed());
+  }
+
+  @Test
+  void withoutATimeoutTheLastCommandHolds() {
+    EgoVehicle robot = robot(0.0, 0.0);
+    World world = world(robot);
+    command(world, robot, 1.0, 0.0);
+    world.advanceTo(World.nanoseconds(20));
+    assertEquals(1.0, world.egoSpeed(), 1e-9);
+  }
+
+  /** An eighth of a circle to the left in 2.5 s, forwards and backwards. */
+  @ParameterizedTest
+  @CsvSource({"1.5", "-1.5"})
+  void itTurnsByTheCommandedRate(double speed) {
+    EgoVehicle robot = robot(0.0, 0.0);
+    World world = world(robot);
+    command(world, robot, speed, 0.0);
+    world.advanceTo(World.nanoseconds(4));
+    command(world, robot, speed, Math.PI / 10);
+    world.advanceTo(World.nanoseconds(6.5));
+    assertEquals(Math.PI / 4, world.ego().front().heading(), 1e-6);
+    assertEquals(Math.PI / 10, world.trace().end().pose().yawRate(), 1e-9);
+  }
+
+  @Test
+  void whatItCannotFollowIsSaid() {
+    EgoVehicle robot = robot(1.0, 0.0);
+    double most = robot.chassis().tightest();
+    assertEquals("", ignored(1.0, most));
+    assertEquals("yaw_rate 0.5 at speed 0.0", ignored(0.0, 0.5));
+    assertTrue(ignored(Double.NaN, 0.0).contains("NaN"));
+    assertFalse(ignored(1.0, Double.NaN).isEmpty());
+  }
+
+  private static String ignored(double speed, double yawRate) {
+    return VehicleCommand.of(
+            Map.of(Actuator.SPEED, speed, Actuator.YAW_RATE, yawRate), robot(1.0, 0.0))
+        .ignored();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "THROTTLE, true",
+    "BRAKE, true",
+    "ACCELERATION, true",
+    "GEAR, true",
+    "HAND_BRAKE, true",
+    "STEERING, false",
+    "YAW_RATE, false"
+  })
+  void aSpeedTakesThePedals(Actuator other, boolean excludes) {
+    assertEquals(excludes, Actuator.SPEED.excludes(other));
+    assertTrue(Actuator.YAW_RATE.excludes(Actuator.STEERING_ANGLE));
+  }
+}
