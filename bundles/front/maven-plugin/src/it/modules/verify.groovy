@@ -43,3 +43,14 @@ assert log.count("[maven.parameter]") == 3 : "two findings, and the first of the
 assert outcome("nothing-to-check").contains("FAILURE")
 assert log.contains("[ERROR] nothing-to-check: There is no model and no event chain to check. [maven.nothing-to-check]")
 assert report("nothing-to-check", "TEST-validate.xml").contains("maven.nothing-to-check")
+
+// One folder is formatted, and the whole module is checked, without being changed.
+assert outcome("unformatted").contains("FAILURE")
+assert log.contains("[INFO] Formatted unformatted/written/rules.ocl")
+def rules = { folder -> new File(basedir, "unformatted/$folder/rules.ocl").text }
+assert rules("written") == "context Book\n    inv A: self.name <> ''\n"
+assert rules("checked") == "context Book\ninv A:self.name<>''\n"
+assert failure("unformatted").contains(":format (checked)")
+assert failure("unformatted").contains("unformatted/checked/rules.ocl:2:1: ")
+assert report("unformatted", "TEST-format-written.xml").contains('failures="0"')
+assert report("unformatted", "format-checked.sarif").contains("format.differs")

@@ -123,6 +123,13 @@ final class ModelRepository {
     return runIn(repository, script, arguments);
   }
 
+  /** Runs a script that is elsewhere, in the root folder. */
+  Program.Ended run(Path script, String... arguments) throws Exception {
+    List<String> command = new ArrayList<>(List.of(script.toString()));
+    command.addAll(List.of(arguments));
+    return ended(command, repository);
+  }
+
   /** Runs {@code validate-models} in a folder. */
   Program.Ended runIn(String name, String... arguments) throws Exception {
     return runIn(repository.resolve(name), "validate-models", arguments);

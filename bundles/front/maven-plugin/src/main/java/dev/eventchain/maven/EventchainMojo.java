@@ -11,8 +11,10 @@ import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.ReportFile;
 import dev.eventchain.pipeline.Today;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.SuppressionFile;
 import java.io.File;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Duration;
@@ -126,7 +128,11 @@ abstract class EventchainMojo extends AbstractMojo {
     } catch (IllegalArgumentException e) {
       throw new MojoFailureException(e.getMessage(), e);
     }
+    checkParameters();
   }
+
+  /** Rejects invalid parameters of the goal. */
+  void checkParameters() throws MojoFailureException {}
 
   private Severity limit() throws MojoFailureException {
     return Stream.of(Severity.ERROR, Severity.WARNING)
@@ -208,6 +214,12 @@ abstract class EventchainMojo extends AbstractMojo {
 
   final Duration timeLimit() {
     return Duration.ofSeconds(timeLimit);
+  }
+
+  /** Returns the suppressions in the module's folder, or that the pom names. */
+  final Suppressions suppressions() {
+    Path usual = Places.shown(new File(basedir(), ProjectLayout.SUPPRESSIONS));
+    return suppressions(Optional.of(usual).filter(Files::exists));
   }
 
   /**

@@ -4,11 +4,8 @@ import dev.eventchain.check.ReferenceFolders;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
-import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
-import dev.eventchain.project.ProjectLayout;
 import java.io.File;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -88,11 +85,5 @@ abstract class ModelMojo extends ChainMojo {
     Map<String, Path> map = new LinkedHashMap<>();
     mappings.forEach(mapping -> map.put(mapping.uri(), Places.shown(mapping.path())));
     return new ReferenceFolders(Places.shown(roots), map);
-  }
-
-  /** Returns the suppressions for models. */
-  final Suppressions suppressions() {
-    Path usual = Places.shown(new File(basedir(), ProjectLayout.SUPPRESSIONS));
-    return suppressions(Optional.of(usual).filter(Files::exists));
   }
 }

@@ -7,6 +7,8 @@ import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.yaml.snakeyaml.error.Mark;
+import org.yaml.snakeyaml.events.AliasEvent;
 
 /**
  * Formatter of YAML that people write. Changes the indentation of lines, spaces at their ends and
@@ -40,12 +42,14 @@ public final class YamlFormatter {
    * Formats a text.
    *
    * @param step the columns by which what is inside a mapping is farther to the right, at least 1
-   * @return empty if the text is no YAML, or has keys after question marks, and is left as it is
+   * @return empty if the text is no YAML, or has keys after question marks or aliases of nothing,
+   *     and is left as it is
    */
   public static Optional<String> format(String text, int step) {
     List<String> lines = YamlLines.split(text);
     Optional<YamlLines> parts = YamlLines.of(text, lines.size());
     return parts
+        .filter(each -> each.undefinedAlias().isEmpty())
         .flatMap(each -> new YamlFormatter(lines, each, step).run())
         .filter(formatted -> saysTheSame(text, formatted));
   }
@@ -56,8 +60,9 @@ public final class YamlFormatter {
    * @param rule that of the error
    */
   public static Optional<Diagnostic> syntaxError(SourceText source, Rule rule) {
-    if (values(source.text()).isPresent()) {
-      return Optional.empty();
+    Optional<YamlLines> parts = YamlLines.of(source.text(), YamlLines.split(source.text()).size());
+    if (parts.isPresent()) {
+      return parts.get().undefinedAlias().map(alias -> undefined(alias, source, rule));
     }
     try {
       Document.parseWithAnyText(
@@ -66,6 +71,16 @@ public final class YamlFormatter {
     } catch (DiagnosticException e) {
       return Optional.of(e.diagnostics().get(0));
     }
+  }
+
+  private static Diagnostic undefined(AliasEvent alias, SourceText source, Rule rule) {
+    Mark place = alias.getStartMark();
+    String message = "*%1$s stands for nothing: there is no &%1$s in front of it.";
+    return Diagnostic.of(
+            rule,
+            message.formatted(alias.getAnchor()),
+            source.at(place.getLine() + 1, place.getColumn() + 1))
+        .withHint("Write the value itself, or the anchor where the value is written first.");
   }
 
   /** Returns whether two texts in YAML have the same values, anchors and styles. */

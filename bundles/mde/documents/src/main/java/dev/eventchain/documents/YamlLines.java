@@ -4,13 +4,18 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.yaml.snakeyaml.DumperOptions.ScalarStyle;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.error.YAMLException;
+import org.yaml.snakeyaml.events.AliasEvent;
 import org.yaml.snakeyaml.events.CollectionStartEvent;
+import org.yaml.snakeyaml.events.DocumentStartEvent;
 import org.yaml.snakeyaml.events.Event;
+import org.yaml.snakeyaml.events.NodeEvent;
 import org.yaml.snakeyaml.events.ScalarEvent;
 import org.yaml.snakeyaml.parser.Parser;
 import org.yaml.snakeyaml.parser.ParserImpl;
@@ -22,6 +27,8 @@ final class YamlLines {
   private final BitSet inside = new BitSet();
   private final BitSet ends = new BitSet();
   private final List<String> values = new ArrayList<>();
+  private final Set<String> anchors = new HashSet<>();
+  private AliasEvent undefined;
   private final int count;
   private boolean endsInText;
 
@@ -54,6 +61,7 @@ final class YamlLines {
     Deque<Event> open = new ArrayDeque<>();
     for (Event e = parser.getEvent(); e != null; e = parser.getEvent()) {
       values.add(described(e));
+      readName(e);
       if (e instanceof CollectionStartEvent) {
         open.push(e);
       } else if (e.is(Event.ID.SequenceEnd) || e.is(Event.ID.MappingEnd)) {
@@ -67,6 +75,18 @@ final class YamlLines {
       if (e.is(Event.ID.StreamEnd)) {
         return;
       }
+    }
+  }
+
+  /** Keeps an anchor, or the first alias that has none in front of it in its document. */
+  private void readName(Event event) {
+    if (event instanceof DocumentStartEvent) {
+      anchors.clear();
+    } else if (event instanceof AliasEvent alias) {
+      boolean isFirst = undefined == null && !anchors.contains(alias.getAnchor());
+      undefined = isFirst ? alias : undefined;
+    } else if (event instanceof NodeEvent node && node.getAnchor() != null) {
+      anchors.add(node.getAnchor());
     }
   }
 
@@ -103,6 +123,11 @@ final class YamlLines {
   /** Returns what the text says, in its order, with anchors and styles. */
   List<String> values() {
     return values;
+  }
+
+  /** Returns the first alias of something that is not in front of it; empty if there is none. */
+  Optional<AliasEvent> undefinedAlias() {
+    return Optional.ofNullable(undefined);
   }
 
   /** Returns whether a line goes on with what began above. */

@@ -109,7 +109,15 @@ class YamlFormatterTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"a: [1", "a:\n\tb: 1", "? a\n: b\n", "a: 1\n b: 2", "a: 'x", "a: \u2028 1"})
+      strings = {
+        "a: [1",
+        "a:\n\tb: 1",
+        "? a\n: b\n",
+        "a: 1\n b: 2",
+        "a: 'x",
+        "a: \u2028 1",
+        "a:  *b"
+      })
   void whatCannotBeReadIsLeftAlone(String text) {
     assertEquals(Optional.empty(), YamlFormatter.format(text, 2));
   }

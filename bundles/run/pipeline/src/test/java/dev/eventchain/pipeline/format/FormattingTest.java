@@ -117,6 +117,19 @@ class FormattingTest {
     assertEquals("a:   \n   - [b\n", Files.readString(yaml));
   }
 
+  /** Readers of YAML refuse an alias of nothing, and so does the program. */
+  @Test
+  void aliasesOfNothingAreErrors() throws IOException {
+    Path good = file("a.yaml", "a: &x 1\nb: *x\nc: &x 2\n");
+    Path never = file("b.yaml", "a: 1\nb: *x\n");
+    Path later = file("c.yaml", "b: [*x]\na: &x 1\n");
+    Path other = file("d.yaml", "a: &x 1\n---\nb:   *x\n");
+    Formatting.Result result = Formatting.of(List.of(good, never, later, other), 2, false);
+    assertEquals(
+        List.of("b.yaml:2:4 format.syntax", "c.yaml:1:5 format.syntax", "d.yaml:3:6 format.syntax"),
+        found(result));
+  }
+
   /** A correct text that is not formatted is no error. */
   @Test
   void whatIsReadButNotFormattedIsSaid() throws IOException {

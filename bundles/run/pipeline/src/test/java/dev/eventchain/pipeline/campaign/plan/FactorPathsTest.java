@@ -49,7 +49,9 @@ class FactorPathsTest {
                 .keySet()));
   }
 
-  /** Time grows with the numbers only: each of these had the whole text copied, which took minutes. */
+  /**
+   * Time grows with the numbers only: each of these had the whole text copied, which took minutes.
+   */
   @Test
   void manyNumbersHaveTheirPaths() {
     StringBuilder text = new StringBuilder("actors:\n");
