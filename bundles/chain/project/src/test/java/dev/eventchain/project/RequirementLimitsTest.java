@@ -72,7 +72,7 @@ class RequirementLimitsTest {
   @ParameterizedTest
   @ValueSource(strings = {"## # x", "Type * x", "## < x", "| [ x", "## {# x"})
   void timeGrowsWithTheLengthOfATextOnly(String form) throws IOException {
-    String[] parts = form.split(" ");
+    String[] parts = form.split(" ", -1);
     String line = parts[0] + " " + (parts[1] + " ").repeat(9_900 / (parts[1].length() + 1)) + "x\n";
     String text = "- REQ-1: It shall be.\n\n" + (line + "\n").repeat((1 << 20) / line.length());
     ThreadMXBean clock = ManagementFactory.getThreadMXBean();
