@@ -14,6 +14,7 @@ import dev.eventchain.fixtures.Projects;
 import dev.eventchain.fixtures.Repository;
 import dev.eventchain.lsp.project.ProjectLanguageService;
 import dev.eventchain.lsp.text.OpenTexts;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -62,6 +63,25 @@ class YamlCompletionTest {
       return List.of();
     }
   }
+
+  private static final String AHEAD =
+      """
+      <?xml version="1.0" encoding="UTF-8"?>
+      <OpenSCENARIO>
+        <FileHeader revMajor="1" revMinor="2" date="2026-01-01T00:00:00" description="" author=""/>
+        <ParameterDeclarations>
+          <ParameterDeclaration name="Ego_speed" parameterType="double" value="11.5"/>
+          <ParameterDeclaration name="Road" parameterType="string" value="wet"/>
+        </ParameterDeclarations>
+        <CatalogLocations/>
+        <RoadNetwork/>
+        <Entities/>
+        <Storyboard>
+          <Init><Actions/></Init>
+          <StopTrigger/>
+        </Storyboard>
+      </OpenSCENARIO>
+      """;
 
   /** Returns the proposals at the mark in a text. */
   private static List<Completion> proposals(String file, String marked) {
@@ -200,6 +220,21 @@ class YamlCompletionTest {
       String taken = taken("campaigns/c.yaml", campaign, label);
       assertTrue(taken.contains(expected.replace("\\n", "\n")), taken);
     }
+  }
+
+  /** Parameters of a file in OpenSCENARIO XML that are numbers, with what they are now. */
+  @Test
+  void pathsOfFactorsLeadToParametersOfOpenScenario() throws IOException {
+    Path folder = Files.createDirectories(project.resolve("campaigns"));
+    Files.writeString(folder.resolve("ahead.xosc"), AHEAD);
+    Files.writeString(folder.resolve("broken.xosc"), AHEAD.replace("</OpenSCENARIO>", ""));
+    String campaign = "scenario: %s\nfactors:\n  speed:\n    path: ^\n";
+    List<String> labels = labels("campaigns/c.yaml", campaign.formatted("ahead.xosc"));
+    assertTrue(labels.contains("openscenario.parameters.Ego_speed"), labels.toString());
+    assertTrue(labels.contains("phases_ms.Radar_Tracking"), labels.toString());
+    assertFalse(labels.contains("openscenario.parameters.Road"), labels.toString());
+    assertEquals(List.of(), labels("campaigns/c.yaml", campaign.formatted("broken.xosc")));
+    assertEquals(List.of(), labels("campaigns/c.yaml", campaign.formatted("../../ahead.xosc")));
   }
 
   @Test

@@ -124,12 +124,15 @@ final class ProjectFiles {
    * Returns the paths of the numbers that factors of a campaign may vary, with what they are now.
    *
    * @param file that of the campaign
-   * @param scenario the name of its scenario, or the path of one from there
+   * @param scenario the name of its scenario, or the path of one from there, which may be in
+   *     OpenSCENARIO XML
    */
   Map<String, String> factorPaths(Path file, String scenario) {
+    Optional<Path> named = beside(file, scenario);
     Optional<SourceText> played =
-        scenario.matches(".*\\.ya?ml") ? beside(file, scenario) : Optional.empty();
+        named.filter(it -> scenario.matches(".*\\.ya?ml")).flatMap(workspace::text);
     Map<String, String> found = new LinkedHashMap<>();
+    named.ifPresent(it -> found.putAll(FactorPaths.ofPlayed(it)));
     played
         .or(() -> Optional.ofNullable(scenarioTexts().get(scenario)))
         .ifPresent(text -> found.putAll(FactorPaths.ofScenario(text)));
@@ -145,13 +148,12 @@ final class ProjectFiles {
     return Files.isRegularFile(file) ? workspace.text(file) : Optional.empty();
   }
 
-  /** Returns the text of a file of the project that another one names. */
-  private Optional<SourceText> beside(Path file, String name) {
+  /** Returns the file of the project that another one names. */
+  private Optional<Path> beside(Path file, String name) {
     try {
       Path named = file.resolveSibling(name).normalize();
-      return named.startsWith(folder.folder()) && Files.isRegularFile(named)
-          ? workspace.text(named)
-          : Optional.empty();
+      return Optional.of(named)
+          .filter(it -> it.startsWith(folder.folder()) && Files.isRegularFile(it));
     } catch (InvalidPathException e) {
       return Optional.empty(); // no path on this system
     }

@@ -8,10 +8,13 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.simulation.scenario.VariedScenario;
+import java.nio.file.Path;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.StreamSupport;
 
@@ -19,6 +22,8 @@ import java.util.stream.StreamSupport;
 public final class FactorPaths {
 
   private static final String NAME = "name";
+  private static final Pattern NUMBER =
+      Pattern.compile("[-+]?(?:[0-9]++(?:\\.[0-9]*+)?|\\.[0-9]++)(?:[eE][-+]?[0-9]{1,3})?");
   private static final List<JsonNode> MISSING = List.of(MissingNode.getInstance());
 
   private final ObjectNode root;
@@ -39,6 +44,24 @@ public final class FactorPaths {
   /** As {@link #ofScenario}, of the bench of a project. */
   public static Map<String, String> ofBench(SourceText text) {
     return of(text, NumberPath.BENCH);
+  }
+
+  /**
+   * As {@link #ofScenario}, of the parameters of a file in OpenSCENARIO XML that are numbers; none
+   * of another file, or of one that cannot be read.
+   */
+  public static Map<String, String> ofPlayed(Path file) {
+    Map<String, String> found = new LinkedHashMap<>();
+    try {
+      if (VariedScenario.isOne(file)) {
+        VariedScenario.read(file).declared().entrySet().stream()
+            .filter(each -> NUMBER.matcher(each.getValue()).matches())
+            .forEach(each -> found.put(PlayedScenario.PATH + each.getKey(), each.getValue()));
+      }
+    } catch (DiagnosticException e) {
+      // Its own check says what is wrong with it.
+    }
+    return found;
   }
 
   private static Map<String, String> of(SourceText text, String prefix) {
