@@ -90,7 +90,9 @@ final class DbcMessage {
         .findFirst();
   }
 
-  /** Returns the numbers of all multiplexers on which a signal depends, those of others included. */
+  /**
+   * Returns the numbers of all multiplexers on which a signal depends, those of others included.
+   */
   Map<DbcSignal, List<DbcCondition.Range>> conditions(DbcSignal signal) {
     Map<DbcSignal, List<DbcCondition.Range>> all = new LinkedHashMap<>();
     Optional<DbcCondition> next = condition(signal);

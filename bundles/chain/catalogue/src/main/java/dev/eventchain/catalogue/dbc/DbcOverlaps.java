@@ -50,10 +50,7 @@ final class DbcOverlaps {
     }
 
     Optional<DbcSignal> owner(List<Integer> bits) {
-      return bits.stream()
-          .filter(bit -> owners[bit] != null)
-          .map(bit -> owners[bit])
-          .findFirst();
+      return bits.stream().filter(bit -> owners[bit] != null).map(bit -> owners[bit]).findFirst();
     }
 
     void add(DbcSignal signal, List<Integer> bits) {

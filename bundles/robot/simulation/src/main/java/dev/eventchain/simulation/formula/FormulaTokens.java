@@ -123,14 +123,18 @@ public final class FormulaTokens {
       Token wrong = new Token(Kind.SIGN, character, at, at + character.length());
       throw syntax(wrong, "Formulas have no '" + character + "'.", "");
     }
-    Kind kind =
-        token.group("number") != null
-            ? Kind.NUMBER
-            : token.group("word") != null
-                ? Kind.WORD
-                : token.group("text") != null ? Kind.TEXT : Kind.SIGN;
+    Kind kind = kind(token);
     tokens.add(new Token(kind, token.group(), at, token.end()));
     return kind == Kind.NUMBER ? unit(token.end(), end) : token.end();
+  }
+
+  private static Kind kind(Matcher token) {
+    if (token.group("number") != null) {
+      return Kind.NUMBER;
+    }
+    return token.group("word") != null
+        ? Kind.WORD
+        : token.group("text") != null ? Kind.TEXT : Kind.SIGN;
   }
 
   /** Returns whether a text is a valid name in formulas. */
