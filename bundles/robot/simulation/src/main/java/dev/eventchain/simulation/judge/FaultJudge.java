@@ -146,7 +146,7 @@ public final class FaultJudge {
   }
 
   private static CriterionResult result(Detected wanted, Outcome outcome) {
-    return ScenarioJudge.result(text(wanted), wanted.location(), outcome);
+    return JudgedCriterion.withoutSignals(text(wanted), wanted.location()).result(outcome);
   }
 
   private static String text(Detected wanted) {

@@ -1,7 +1,6 @@
 package dev.eventchain.simulation.judge;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.LatencyKind;
 import dev.eventchain.simulation.chain.SimulatedChain;
@@ -267,25 +266,7 @@ public final class ScenarioJudge {
   }
 
   static CriterionResult result(Scenario scenario, Expectation criterion, Outcome outcome) {
-    return result(criterion.text(), criterion.location(), outcome)
-        .judging(criterion.requirements(), scenario.judgedBy(criterion), criterion.limits());
-  }
-
-  /** Returns the result of a criterion that judges no requirement and compares no signal. */
-  static CriterionResult result(String text, SourceLocation location, Outcome outcome) {
-    return new CriterionResult(
-        text,
-        outcome.tested(),
-        outcome.passed(),
-        outcome.detail(),
-        outcome.margin(),
-        outcome.decided(),
-        outcome.otherwise(),
-        List.of(),
-        List.of(),
-        location,
-        List.of(),
-        Optional.empty());
+    return JudgedCriterion.of(scenario, criterion).result(outcome);
   }
 
   /** Returns whether the chain can influence a signal that a formula reads. */

@@ -128,23 +128,6 @@ public record ScenarioVerdict(
       requirements = List.copyOf(requirements);
     }
 
-    /** Returns the same result of a criterion that judges the words of requirements. */
-    public CriterionResult judging(List<String> ids, List<Judged> words, List<Limit> comparedWith) {
-      return new CriterionResult(
-          text,
-          tested,
-          passed,
-          measured,
-          margin,
-          decided,
-          otherwise,
-          words,
-          comparedWith,
-          location,
-          ids,
-          cause);
-    }
-
     /** Returns a copy that is a consequence of an impact, or of none. */
     public CriterionResult withCause(Optional<Diagnostic.Cause> impact) {
       return new CriterionResult(
