@@ -1,5 +1,7 @@
 package dev.eventchain.mcp.project;
 
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -17,28 +19,31 @@ import java.util.stream.Stream;
  */
 public final class Protection {
 
-  private static final String SETTINGS = "eventchain.yaml";
-  private static final String RESULTS = "out";
-  private static final String RECORDINGS = "recordings";
-
   /** Files that make a folder a project, or silence its findings, wherever they are. */
-  private static final Set<String> ANYWHERE = Set.of(SETTINGS, "eventchain-suppressions.yaml");
+  private static final Set<String> ANYWHERE =
+      Set.of(ProjectLayout.CONFIGURATION, ProjectLayout.SUPPRESSIONS);
 
   /** Files of a project in which a person decides what is tried, and what is accepted. */
-  private static final Set<String> DECISIONS = Set.of("mutants.yaml", "accepted.yaml");
+  private static final Set<String> DECISIONS =
+      Set.of(ProjectLayout.MUTANTS, ProjectLayout.ACCEPTED);
 
   /** Whatever would decide about a project that is started around it. */
   private static final List<String> BEFORE_PROJECTS =
-      List.of(RESULTS, RECORDINGS, "eventchain-suppressions.yaml", "mutants.yaml", "accepted.yaml");
+      List.of(
+          ProjectLayout.OUTPUT,
+          ProjectLayout.RECORDINGS,
+          ProjectLayout.SUPPRESSIONS,
+          ProjectLayout.MUTANTS,
+          ProjectLayout.ACCEPTED);
 
   /** Names that no file of a template, and no folder of one, has; {@code *} for any characters. */
   private static final List<String> NOT_GENERATED =
       List.of(
-          SETTINGS,
-          "eventchain-suppressions.yaml",
-          "mutants.yaml",
-          "accepted.yaml",
-          RECORDINGS,
+          ProjectLayout.CONFIGURATION,
+          ProjectLayout.SUPPRESSIONS,
+          ProjectLayout.MUTANTS,
+          ProjectLayout.ACCEPTED,
+          ProjectLayout.RECORDINGS,
           ".*");
 
   /** Files that say what is right. */
@@ -62,10 +67,10 @@ public final class Protection {
     }
     requirePlain(boundary, file, named);
     for (Path part : boundary.root().relativize(file.getParent())) {
-      if (part.toString().equals(RESULTS)) {
+      if (part.toString().equals(ProjectLayout.OUTPUT)) {
         throw refusal(named, "It is a result; a run writes it.");
       }
-      if (part.toString().equals(RECORDINGS)) {
+      if (part.toString().equals(ProjectLayout.RECORDINGS)) {
         throw decided(named);
       }
     }
@@ -129,7 +134,7 @@ public final class Protection {
       Boundary boundary, Path folder, Path from, String named) {
     Optional<Path> project = projectAround(boundary, from);
     if (project.isPresent()) {
-      Path results = project.get().resolve(RESULTS);
+      Path results = project.get().resolve(ProjectLayout.OUTPUT);
       if (!folder.startsWith(results) || folder.equals(results)) {
         throw refusal(named, "It is part of a project, and not a folder in its 'out'.");
       }
@@ -161,7 +166,7 @@ public final class Protection {
   }
 
   private static boolean isProject(Path folder) {
-    return Files.exists(folder.resolve(SETTINGS), LinkOption.NOFOLLOW_LINKS);
+    return Files.exists(new ProjectFolder(folder).configurationFile(), LinkOption.NOFOLLOW_LINKS);
   }
 
   private static boolean holdsProject(Path folder) {
@@ -169,7 +174,7 @@ public final class Protection {
       return false;
     }
     try (Stream<Path> files = Files.walk(folder)) {
-      return files.anyMatch(file -> file.endsWith(SETTINGS));
+      return files.anyMatch(file -> file.endsWith(ProjectLayout.CONFIGURATION));
     } catch (IOException | UncheckedIOException e) {
       throw refusal(folder.getFileName().toString(), "It cannot be read whole.");
     }

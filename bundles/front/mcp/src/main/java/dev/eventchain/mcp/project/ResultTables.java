@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileVisitResult;
@@ -46,7 +47,7 @@ public final class ResultTables {
    */
   public ResultTables(Path project) {
     this.project = project;
-    this.output = project.resolve("out");
+    this.output = new ProjectFolder(project).defaultOutput();
     find("requirements", "verdict.json", verdict -> list(verdict.path("requirements")));
     find("scenarios", "verdict.json", verdict -> list(verdict.path("scenarios")));
     find("criteria", "verdict.json", ResultTables::criteria);

@@ -1,5 +1,6 @@
 package dev.eventchain.mcp.project;
 
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -73,7 +74,7 @@ public record TrialCopy(Path folder) implements AutoCloseable {
 
   private static boolean isCopied(Path project, Path file) {
     Path relative = project.relativize(file);
-    boolean result = relative.startsWith("out") && relative.getNameCount() > 1;
+    boolean result = relative.startsWith(ProjectLayout.OUTPUT) && relative.getNameCount() > 1;
     return !relative.getName(0).toString().startsWith(".")
         && !(result && LEFT_OUT.contains(relative.getName(1).toString()));
   }
