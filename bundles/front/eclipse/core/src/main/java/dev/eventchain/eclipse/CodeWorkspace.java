@@ -3,12 +3,10 @@ package dev.eventchain.eclipse;
 import dev.eventchain.check.Metamodels;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.editing.FileState;
 import dev.eventchain.editing.Workspace;
 import dev.eventchain.project.ProjectFolder;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -44,7 +42,7 @@ final class CodeWorkspace implements Workspace {
    *
    * @param changes the number of changes before somebody last looked at the file
    */
-  private record Known(String state, SourceText text, long changes) {}
+  private record Known(FileState state, SourceText text, long changes) {}
 
   /** The files after a number of changes. */
   private record Listed(long changes, List<Path> texts, List<Path> ecores) {}
@@ -129,14 +127,14 @@ final class CodeWorkspace implements Workspace {
       return Optional.of(edited);
     }
     long changes = CHANGES.get();
-    String state = stateOf(file);
+    FileState state = FileState.of(file);
     Known before = known.get(file);
     if (before != null && before.state().equals(state)) {
       known.put(file, new Known(state, before.text(), changes));
       return Optional.of(before.text());
     }
     known.remove(file);
-    if (!state.isEmpty()) {
+    if (state.isFile()) {
       read(file).ifPresent(text -> known.put(file, new Known(state, text, changes)));
     }
     return Optional.ofNullable(known.get(file)).map(Known::text);
@@ -156,18 +154,6 @@ final class CodeWorkspace implements Workspace {
       return Optional.of(SourceText.read(file));
     } catch (DiagnosticException e) {
       return Optional.empty(); // a marker says why
-    }
-  }
-
-  /** Returns what tells versions of a file apart; empty if there is no such file. */
-  private static String stateOf(Path file) {
-    try {
-      BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-      return attributes.isRegularFile()
-          ? attributes.lastModifiedTime() + " " + attributes.size()
-          : "";
-    } catch (IOException e) {
-      return "";
     }
   }
 

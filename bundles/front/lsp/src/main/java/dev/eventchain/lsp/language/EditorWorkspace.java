@@ -5,16 +5,14 @@ import dev.eventchain.diagnostics.Cancellation;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.diagnostics.UnsavedTexts;
+import dev.eventchain.editing.FileState;
 import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.WorkspaceFiles;
 import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.project.ProjectFolder;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -90,7 +88,7 @@ public final class EditorWorkspace implements Workspace {
     if (sameOnDisk && open.isEmpty() && !(before.state() instanceof OpenText)) {
       return Optional.of(before.text());
     }
-    Object state = open.isPresent() ? open.get() : stateOf(file);
+    Object state = open.isPresent() ? open.get() : FileState.of(file);
     if (before != null && before.state().equals(state)) {
       known.put(file, new Known(state, before.text(), reports));
       return Optional.of(before.text());
@@ -107,16 +105,6 @@ public final class EditorWorkspace implements Workspace {
       return Optional.of(SourceText.read(file));
     } catch (DiagnosticException e) {
       return Optional.empty(); // a finding says why
-    }
-  }
-
-  /** Returns what tells versions of a file apart. */
-  private static String stateOf(Path file) {
-    try {
-      BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-      return attributes.lastModifiedTime() + " " + attributes.size();
-    } catch (IOException e) {
-      return "";
     }
   }
 

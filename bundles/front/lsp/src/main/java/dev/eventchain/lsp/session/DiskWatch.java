@@ -1,10 +1,8 @@
 package dev.eventchain.lsp.session;
 
+import dev.eventchain.editing.FileState;
 import dev.eventchain.lsp.check.Checks;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -23,7 +21,7 @@ final class DiskWatch implements AutoCloseable {
 
   private final Checks checks;
   private final Thread thread = new Thread(this::work, "disk");
-  private final Map<Path, State> states = new HashMap<>();
+  private final Map<Path, FileState> states = new HashMap<>();
 
   DiskWatch(Checks checks) {
     this.checks = checks;
@@ -64,32 +62,18 @@ final class DiskWatch implements AutoCloseable {
   }
 
   private void note(Path file, List<Path> changed, List<Path> others) {
-    State now = State.of(file);
-    State before = states.put(file, now);
-    if (before == null ? now.isNew() : !before.equals(now)) {
-      boolean came = before == null || before.equals(State.MISSING) || now.equals(State.MISSING);
+    FileState now = FileState.of(file);
+    FileState before = states.put(file, now);
+    if (before == null ? isNew(now) : !before.equals(now)) {
+      boolean came =
+          before == null || before.equals(FileState.MISSING) || now.equals(FileState.MISSING);
       (came ? others : changed).add(file);
     }
   }
 
-  /** Fingerprint that tells versions of a file apart. */
-  private record State(Instant modified, long size) {
-
-    static final State MISSING = new State(Instant.EPOCH, -1);
-
-    static State of(Path file) {
-      try {
-        BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-        return new State(attributes.lastModifiedTime().toInstant(), attributes.size());
-      } catch (IOException e) {
-        return MISSING;
-      }
-    }
-
-    /** Returns whether it may have changed between the check that read it and the first look. */
-    boolean isNew() {
-      return modified.isAfter(Instant.now().minus(LONGEST_CHECK));
-    }
+  /** Returns whether it may have changed between the check that read it and the first look. */
+  private static boolean isNew(FileState state) {
+    return state.modified().isAfter(Instant.now().minus(LONGEST_CHECK));
   }
 
   @Override
