@@ -52,7 +52,7 @@ final class LaunchRun {
       int line) {}
 
   /**
-   * What launch files refer to.
+   * Files and packages that launch files refer to.
    *
    * @param files elements of all launch files by their names in the workspace
    * @param packages the folders of packages in the workspace, by the names of packages
@@ -72,7 +72,7 @@ final class LaunchRun {
     final List<TopicNames.Remap> remaps;
     Optional<String> namespace;
 
-    /** What is assigned to the parameters of all later nodes. */
+    /** Assignments to the parameters of all later nodes. */
     final List<ParameterAssignment> parameters;
 
     Scope() {
@@ -155,15 +155,7 @@ final class LaunchRun {
       case "let" -> variable(element, "value", scope);
       case "push_ros_namespace" -> scope.namespace = namespace(element, scope);
       case "set_remap" -> scope.remaps.addAll(0, remaps(element, List.of(element), scope));
-      case "group" -> {
-        if (!text(element, "forwarding", scope).orElse("true").equalsIgnoreCase("true")) {
-          ask(
-              element,
-              "What does this group get of what is set around it? It is taken to get all.");
-        }
-        Scope inner = isScoped(element, scope) ? scope.inner() : scope;
-        element.children().forEach(child -> element(child, inner, depth));
-      }
+      case "group" -> group(element, scope, depth);
       case "include" -> include(element, scope, depth);
       case "node" -> node(element, scope);
       case "set_parameter", "set_parameters_from_file" ->
@@ -175,6 +167,14 @@ final class LaunchRun {
         }
       }
     }
+  }
+
+  private void group(LaunchElement element, Scope scope, int depth) {
+    if (!text(element, "forwarding", scope).orElse("true").equalsIgnoreCase("true")) {
+      ask(element, "What does this group get of what is set around it? It is taken to get all.");
+    }
+    Scope inner = isScoped(element, scope) ? scope.inner() : scope;
+    element.children().forEach(child -> element(child, inner, depth));
   }
 
   private void argument(LaunchElement element, String value, Scope scope) {

@@ -60,7 +60,7 @@ final class BenchProposal {
   /** Entries whose lines mean nothing without those around them. */
   private static final Pattern NESTED = Pattern.compile("^#? *(laser_scan|objects):$");
 
-  /** What nobody but the maker of a robot can say, which a bench with a speed needs. */
+  /** Lines that nobody but the maker of a robot can complete, which a bench with a speed needs. */
   private static final String FOLLOWING =
       """
       # How the robot follows a commanded speed: say it here, without the signs of comments.

@@ -18,7 +18,7 @@ public final class VehicleReader {
 
   private static final String COMMAND_TIMEOUT = "command_timeout_s";
 
-  /** What says how a vehicle follows a commanded speed. */
+  /** The keys that say how a vehicle follows a commanded speed. */
   static final List<String> FOLLOWING =
       List.of("maximal_acceleration_mps2", "maximal_deceleration_mps2", COMMAND_TIMEOUT);
 
