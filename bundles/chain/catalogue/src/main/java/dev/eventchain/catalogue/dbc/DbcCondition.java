@@ -19,6 +19,10 @@ record DbcCondition(DbcSignal multiplexer, List<Range> ranges) {
       return new Range(number, number);
     }
 
+    boolean isOneNumber() {
+      return from.compareTo(to) == 0;
+    }
+
     /** Returns the range in physical values, the least first. */
     private String physical(DbcSignal.Layout layout) {
       BigDecimal one = layout.physical(from);

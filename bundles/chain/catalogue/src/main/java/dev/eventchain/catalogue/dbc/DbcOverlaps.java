@@ -3,7 +3,6 @@ package dev.eventchain.catalogue.dbc;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.util.ArrayList;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,7 +16,15 @@ import java.util.function.Consumer;
 final class DbcOverlaps {
 
   /** The first signal at each bit, of those that are in a message under the same conditions. */
-  private record Group(Map<DbcSignal, List<DbcCondition.Range>> conditions, DbcSignal[] owners) {
+  private static final class Group {
+
+    private final Map<DbcSignal, List<DbcCondition.Range>> conditions;
+    private final DbcSignal[] owners;
+
+    Group(Map<DbcSignal, List<DbcCondition.Range>> conditions, int bits) {
+      this.conditions = conditions;
+      owners = new DbcSignal[bits];
+    }
 
     /** Returns whether signals of this and another group can be in one message. */
     boolean meets(Group other) {
@@ -32,7 +39,7 @@ final class DbcOverlaps {
     Optional<DbcSignal> numbered() {
       return conditions.entrySet().stream()
           .filter(each -> conditions.size() == 1 && each.getValue().size() == 1)
-          .filter(each -> each.getValue().get(0).from().equals(each.getValue().get(0).to()))
+          .filter(each -> each.getValue().get(0).isOneNumber())
           .map(Map.Entry::getKey)
           .findFirst();
     }
@@ -60,7 +67,7 @@ final class DbcOverlaps {
 
   private final DbcMessage message;
   private final Map<Map<DbcSignal, List<DbcCondition.Range>>, Group> groups = new LinkedHashMap<>();
-  private final Map<Group, List<Group>> meeting = new IdentityHashMap<>();
+  private final Map<Group, List<Group>> meeting = new LinkedHashMap<>();
 
   private DbcOverlaps(DbcMessage message) {
     this.message = message;
@@ -78,7 +85,7 @@ final class DbcOverlaps {
 
   private Group group(DbcSignal signal) {
     return groups.computeIfAbsent(
-        message.conditions(signal), when -> new Group(when, new DbcSignal[8 * message.size()]));
+        message.conditions(signal), when -> new Group(when, 8 * message.size()));
   }
 
   /** Finds what may meet; of the many groups with one number each of a multiplexer, none do. */
