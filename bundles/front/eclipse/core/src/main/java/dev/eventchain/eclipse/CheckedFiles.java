@@ -53,7 +53,7 @@ final class CheckedFiles {
       return !results && !folder.getName().startsWith(".");
     }
     IFile file = (IFile) resource;
-    switch (String.valueOf(file.getFileExtension()).toLowerCase(Locale.ROOT)) {
+    switch (kind(file)) {
       case "xmi", "eventchain" -> models.add(file);
       case "ecore" -> metamodels.add(file);
       case "ocl" -> rules.add(file);
@@ -61,6 +61,11 @@ final class CheckedFiles {
       default -> others.add(file);
     }
     return false;
+  }
+
+  /** Returns the ending of a file's name, which is its kind in upper and in lower case. */
+  static String kind(IFile file) {
+    return String.valueOf(file.getFileExtension()).toLowerCase(Locale.ROOT);
   }
 
   static boolean isProjectFolder(IContainer folder) {

@@ -22,7 +22,7 @@ record MetamodelUnit(IFile file, Path path, List<Path> all) implements CheckUnit
   /** Metamodels may refer to each other. */
   @Override
   public boolean dependsOn(IFile changed) {
-    return "ecore".equals(changed.getFileExtension());
+    return CheckedFiles.kind(changed).equals("ecore");
   }
 
   @Override

@@ -39,8 +39,8 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
   /** Models may refer to others, and depend on metamodels and rules. */
   @Override
   public boolean dependsOn(IFile changed) {
-    String extension = String.valueOf(changed.getFileExtension());
-    return extension.equals(file.getFileExtension()) || RELEVANT.contains(extension);
+    String kind = CheckedFiles.kind(changed);
+    return kind.equals(CheckedFiles.kind(file)) || RELEVANT.contains(kind);
   }
 
   @Override

@@ -39,7 +39,7 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
   @Override
   public boolean dependsOn(IFile file) {
     if (!folder.getFullPath().isPrefixOf(file.getFullPath())) {
-      return "ocl".equals(file.getFileExtension()); // documents may import others from elsewhere
+      return CheckedFiles.kind(file).equals("ocl"); // documents may import others from elsewhere
     }
     IPath name = file.getFullPath().makeRelativeTo(folder.getFullPath());
     return name.segment(0).equals(ProjectLayout.OUTPUT)

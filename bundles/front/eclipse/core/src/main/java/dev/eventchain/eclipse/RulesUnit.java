@@ -23,7 +23,7 @@ record RulesUnit(IFile file, Path path, List<Path> metamodels) implements CheckU
   /** Documents import others and use metamodels. */
   @Override
   public boolean dependsOn(IFile changed) {
-    return RELEVANT.contains(String.valueOf(changed.getFileExtension()));
+    return RELEVANT.contains(CheckedFiles.kind(changed));
   }
 
   @Override

@@ -25,7 +25,7 @@ record TemplateUnit(IFile file, Path path, List<Path> metamodels) implements Che
   /** Templates import others and use metamodels. */
   @Override
   public boolean dependsOn(IFile changed) {
-    return RELEVANT.contains(String.valueOf(changed.getFileExtension()));
+    return RELEVANT.contains(CheckedFiles.kind(changed));
   }
 
   @Override

@@ -51,6 +51,19 @@ class CheckedFilesTest {
     }
   }
 
+  /** What is checked at first is checked again, also if its ending is in capital letters. */
+  @Test
+  void filesAreCheckedOnSaveHoweverTheirEndingIsWritten() throws Exception {
+    try (TestProject project = TestProject.create("capitals")) {
+      project.write("shop.ecore", ECORE);
+      project.write("shop.OCL", "context Shop\ninv Named: nam <> ''\n");
+      project.build();
+      assertEquals(1, project.markers().size(), project.markers().toString());
+      project.write("shop.OCL", "context Shop\ninv Named: name <> ''\n");
+      project.buildsTo();
+    }
+  }
+
   @Test
   void modelOfAnotherMetamodelIsCheckedWithTheRulesBesideIt() throws Exception {
     try (TestProject project = TestProject.create("shop")) {

@@ -191,6 +191,26 @@ class CodeQuestionsTest {
     Workbench.screenshot("text-snippet");
   }
 
+  @Test
+  void proposalsHaveTheLineEndsOfTheirText() throws Exception {
+    String text = MAIN.replace("[line(node)/]\n", "  [fo\n").replace("\n", "\r\n");
+    TextEditor editor = Workbench.open(project.write("main.mtl", text));
+    int offset = text.indexOf("[fo\r") + 3;
+    ICompletionProposal loop =
+        Arrays.stream(proposals(editor, offset))
+            .filter(each -> each.getDisplayString().startsWith("for"))
+            .findFirst()
+            .orElseThrow();
+    String filled =
+        Workbench.run(
+            () -> {
+              ((ICompletionProposalExtension2) loop).apply(viewer(editor), '\0', 0, offset);
+              return document(editor).get();
+            });
+    assertEquals(
+        text.replace("  [fo\r\n", "  [for (each | values)]\r\n  \r\n  [/for]\r\n"), filled);
+  }
+
   private static StyledText widget(TextEditor editor) {
     return (StyledText) editor.getAdapter(Control.class);
   }

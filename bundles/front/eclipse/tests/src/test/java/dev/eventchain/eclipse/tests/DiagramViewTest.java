@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.model.diagram.ChainDiagram.Kind;
 import dev.eventchain.xmi.XmiStore;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.util.List;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IMarker;
@@ -77,6 +78,21 @@ class DiagramViewTest extends DiagramBench {
     state(IWorkbenchPage.STATE_MAXIMIZED);
     screenshot("diagram");
     state(IWorkbenchPage.STATE_RESTORED);
+  }
+
+  @Test
+  void topicsSayTheUnitsOfMessagesAndOfComponents() throws Exception {
+    String plain = "<data name=\"velocity\"";
+    String units = plain + " unit=\"km/h\" componentUnit=\"m/s\"";
+    write(Files.readString(AEB).replace(plain, units));
+    Workbench.waitUntil(
+        "the units",
+        () -> {
+          mouseMove("Braking_Decision");
+          mouseMove("/carla/ego_vehicle/vehicle_status");
+          String text = String.valueOf(canvas().getToolTipText());
+          return text.contains("velocity [km/h, m/s in the component]");
+        });
   }
 
   private void mouseMove(String name) {

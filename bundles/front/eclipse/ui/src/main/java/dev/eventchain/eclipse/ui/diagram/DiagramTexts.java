@@ -1,6 +1,7 @@
 package dev.eventchain.eclipse.ui.diagram;
 
 import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.model.ComponentUnits;
 import dev.eventchain.model.diagram.ChainDiagram;
 import dev.eventchain.model.diagram.ChainDiagram.Box;
 import dev.eventchain.model.diagram.ChainDiagram.Kind;
@@ -80,14 +81,21 @@ final class DiagramTexts {
     Set<String> fields = new LinkedHashSet<>();
     for (EObject element : box.elements()) {
       if (element instanceof Data data && data.getName() != null) {
-        String unit = data.getUnit() == null ? "" : " [" + data.getUnit() + "]";
-        add(fields, data.getName() + unit, data.getDescription());
+        add(fields, data.getName() + unit(data), data.getDescription());
       }
     }
     fields.stream().limit(MOST_LINES).forEach(lines::add);
     if (fields.size() > MOST_LINES) {
       lines.add("\u2026 and " + (fields.size() - MOST_LINES) + " more");
     }
+  }
+
+  /** Returns the unit in messages, and that of the component if the node converts. */
+  private static String unit(Data data) {
+    String own = ComponentUnits.isConverted(data) ? ComponentUnits.of(data) : "";
+    String unit = ComponentUnits.onTheWire(data);
+    String both = unit.isEmpty() || own.isEmpty() ? unit : unit + ", " + own + " in the component";
+    return both.isEmpty() ? "" : " [" + both + "]";
   }
 
   private static String list(List<String> names) {

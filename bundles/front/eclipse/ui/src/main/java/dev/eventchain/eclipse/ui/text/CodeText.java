@@ -154,13 +154,31 @@ final class CodeText implements IDocumentListener {
 
   /** As {@link #ask}, with the answer on the user interface's thread. */
   <T> void ask(int offset, BiFunction<Analysis, TextPosition, T> question, Consumer<T> then) {
+    ask(offset, question, then, () -> {});
+  }
+
+  /**
+   * As above.
+   *
+   * @param otherwise is called if there is no answer, also since the analysis failed
+   */
+  <T> void ask(
+      int offset,
+      BiFunction<Analysis, TextPosition, T> question,
+      Consumer<T> then,
+      Runnable otherwise) {
     ask(offset, question)
+        .exceptionally(
+            failure -> {
+              failed(failure);
+              return Optional.empty();
+            })
         .thenAccept(
             answer ->
                 later(
                     () -> {
                       if (!closed) {
-                        answer.ifPresent(then);
+                        answer.ifPresentOrElse(then, otherwise);
                       }
                     }))
         .exceptionally(this::failed);

@@ -67,7 +67,8 @@ final class Renaming {
             if (isUnchanged()) {
               then.accept(answer);
             }
-          });
+          },
+          () -> refuse("The text could not be analysed: nothing was renamed. The log says why."));
     }
   }
 
