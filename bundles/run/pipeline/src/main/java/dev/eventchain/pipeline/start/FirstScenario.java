@@ -20,7 +20,7 @@ import java.util.stream.Collectors;
  */
 record FirstScenario(String name, String text) {
 
-  /** What a proposed bench has below a consumed topic that drives the vehicle. */
+  /** A consumed topic that drives the vehicle, in a proposed bench. */
   private static final Pattern DRIVES = Pattern.compile("(?s)\nconsumes:\n.*\n    fields:\n");
 
   /**
