@@ -29,7 +29,8 @@ public final class FactorPaths {
   private final ObjectNode root;
   private final String prefix;
   private final Map<String, String> found = new LinkedHashMap<>();
-  private final Map<ArrayNode, Map<String, List<JsonNode>>> lists = new IdentityHashMap<>();
+  private final IdentityHashMap<ArrayNode, Map<String, List<JsonNode>>> lists =
+      new IdentityHashMap<>();
 
   private FactorPaths(ObjectNode root, String prefix) {
     this.root = root;
@@ -109,6 +110,7 @@ public final class FactorPaths {
   }
 
   /** Returns whether a path is read as it is meant: keys and names may have any characters. */
+  @SuppressWarnings("ReferenceEquality") // Equal numbers stand at many places.
   private boolean leadsTo(String path, JsonNode number) {
     return new NumberPath(path)
         .find(root, (list, name) -> named(list).getOrDefault(name, MISSING).get(0))
