@@ -95,7 +95,7 @@ class NamedValuesTest {
         "always[0.1,1] /gear.data != 'DRIVE'; failed: '/gear.data != 'DRIVE'' is missed after 0.50 s",
         "always[0.6,1] /gear.data == \"DRIVE\"; failed: '/gear.data == \"DRIVE\"' is missed after 0.90 s, where it is another text",
         "always[0.1,1] (/gear.data != 'REVERSE'); passed: '/gear.data != 'REVERSE'' holds after 0.10 s, where it is 'PARK'",
-        "always[0,1] not /gear.data == 'REVERSE'; untested: '/gear.data == 'REVERSE'' has no value after 0.00 s, since there was no current message on /gear",
+        "always[0,1] not /gear.data == 'REVERSE'; `untested: '/gear.data == 'REVERSE'' has no value after 0.00 s, since there was no current message on /gear; the first one came after 0.10 s`",
         "always[0,1] /level.data == 'FAULT'; passed: '/level.data == 'FAULT'' holds after 0.00 s",
         "eventually[0,1] /level.data == 'LOW'; failed: '/level.data == 'LOW'' is missed after 0.00 s, where it is 'FAULT'",
         "eventually[0.1,1] rise(/gear.data == 'DRIVE' and /level.data > 20 degC); passed: '/gear.data == 'DRIVE'' holds after 0.50 s",
