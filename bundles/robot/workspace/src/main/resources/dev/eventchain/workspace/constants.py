@@ -8,7 +8,16 @@ import operator
 from collections.abc import Callable
 from typing import NamedTuple
 
-from ros_parameters import Declaration, Given, declarations, parameter_of, sets_parameters, value_of
+from ros_parameters import (
+    Declaration,
+    Given,
+    declarations,
+    is_of_type,
+    options,
+    parameter_of,
+    sets_parameters,
+    value_of,
+)
 from source_modules import Binding, Function, Module, Modules, bindings, fields, is_self_attribute, parameters
 
 _DEEPEST = 40
@@ -95,7 +104,10 @@ class Constants:
             return self._call(node, place, depth)
         if isinstance(node, (ast.Name, ast.Attribute)):
             inner, there = self.definition(node, place)
-            return self.value(inner, there, depth + 1)
+            value = self.value(inner, there, depth + 1)
+            if isinstance(node, ast.Attribute) and parameter_of(inner) is not None and not is_of_type(value, node.attr):
+                raise UnknownValueError(f"it is '{_text(node)}' of a parameter that is {value!r}")
+            return value
         raise UnknownValueError(f"it is '{_text(node)}'")
 
     def text(self, node: ast.expr, place: Place) -> str:
@@ -164,7 +176,7 @@ class Constants:
         found = [each for each in declarations(place.classes) if self._is_named(each, name, place)]
         if (isinstance(read.func, ast.Attribute) and read.func.attr == "get_parameter_or") or len(found) != 1:
             raise UnknownValueError(unknown)
-        if sets_parameters(place.classes):
+        if sets_parameters(place.classes) or self._has_options(place, depth):
             raise UnknownValueError(f"{unknown}, and the node sets parameters itself")
         if name in self._given.unknown or (self._given.is_open and name not in self._given.values):
             raise UnknownValueError(f"{unknown}, and what launch gives it is not known")
@@ -177,6 +189,16 @@ class Constants:
             raise UnknownValueError(f"{unknown}, and launch gives it {given!r}")
         self._refuse_other_type(unknown, declared, own, given, depth)
         return given
+
+    def _has_options(self, place: Place, depth: int) -> bool:
+        """Return whether a constructor gives the node parameters itself, or keeps those of launch from it."""
+        for module, method, given in options(place.classes):
+            try:
+                if self.value(given, Place(module, place.classes, method), depth + 1) not in (None, True):
+                    return True
+            except UnknownValueError:
+                return True
+        return False
 
     def _default(self, unknown: str, declared: Declaration, own: Place, depth: int) -> Value:
         if declared.default is None:

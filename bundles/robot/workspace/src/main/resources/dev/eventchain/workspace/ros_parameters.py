@@ -6,10 +6,17 @@ import ast
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from source_modules import FUNCTIONS, Function, Module
+from source_modules import FUNCTIONS, Function, Module, last_name
 
 _SETTERS = frozenset({"set_parameters", "set_parameters_atomically", "set_descriptor", "undeclare_parameter"})
-_VALUES = frozenset({"value", "string_value", "double_value", "integer_value", "bool_value"})
+_VALUES: dict[str, type] = {
+    "value": object,
+    "string_value": str,
+    "double_value": float,
+    "integer_value": int,
+    "bool_value": bool,
+}
+_OPTIONS = frozenset({"parameter_overrides", "cli_args", "use_global_arguments"})
 
 
 class Given(NamedTuple):
@@ -54,6 +61,16 @@ def sets_parameters(classes: tuple[tuple[Module, ast.ClassDef], ...]) -> bool:
     return any(isinstance(call.func, ast.Attribute) and call.func.attr in _SETTERS for call in calls)
 
 
+def options(classes: tuple[tuple[Module, ast.ClassDef], ...]) -> Iterator[tuple[Module, Function, ast.expr]]:
+    """Return what constructors give rclpy's node that changes its parameters, or whether launch does."""
+    for module, cls in classes:
+        for method in cls.body:
+            if isinstance(method, FUNCTIONS) and method.name == "__init__":
+                for call in ast.walk(method):
+                    if isinstance(call, ast.Call) and last_name(call.func) == "__init__":
+                        yield from ((module, method, each.value) for each in call.keywords if each.arg in _OPTIONS)
+
+
 def parameter_of(node: ast.expr) -> ast.expr | None:
     """Return the name of the parameter that a call reads: ``self.get_parameter(NAME).get_parameter_value()``."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
@@ -76,6 +93,11 @@ def value_of(node: ast.Attribute) -> ast.expr | None:
     ):
         return inner.func.value
     return inner
+
+
+def is_of_type(value: object, member: str) -> bool:
+    """Return whether a member of a parameter, such as `double_value`, has its value: others are zero, or empty."""
+    return _VALUES.get(member, object) in (object, type(value))
 
 
 def _own_calls(node: ast.AST) -> Iterator[ast.Call]:

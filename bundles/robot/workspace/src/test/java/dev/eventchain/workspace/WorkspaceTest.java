@@ -2,6 +2,7 @@ package dev.eventchain.workspace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -17,6 +18,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -185,6 +187,46 @@ class WorkspaceTest {
     assertFalse(questions.contains("only reads"), questions);
     assertTrue(questions.contains("add its package to the workspace"), questions);
     assertFalse(questions.contains("of Guard()"), questions); // its file makes it
+  }
+
+  /** A constructor may give parameters itself, and members for other types are zero. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      quoteCharacter = '`',
+      value = {
+        "parameter_overrides=None; value; true",
+        "use_global_arguments=True; get_parameter_value().double_value; true",
+        "parameter_overrides=[Parameter('rate', value=50.0)]; value; false",
+        "cli_args=['--ros-args', '-p', 'rate:=50.0']; value; false",
+        "use_global_arguments=False; value; false",
+        "namespace=''; get_parameter_value().integer_value; false"
+      })
+  void aRateIsKnownIfTheParameterOfLaunchIsThatOfTheNode(
+      String option, String member, boolean isKnown, @TempDir Path folder) throws IOException {
+    copy("ws", folder);
+    Path module = folder.resolve("src/braking/braking/nodes.py");
+    String source = Files.readString(module);
+    String changed =
+        source.replace(
+            "super().__init__(\"brake\")",
+            "super().__init__(\"brake\")\n        rate = self.declare_parameter(\"rate\", 20.0).%s\n        self.create_timer(1.0 / rate, print)"
+                .formatted(member));
+    assertNotEquals(source, changed);
+    Files.writeString(
+        module,
+        changed.replace("super().__init__(name)", "super().__init__(name, " + option + ")"));
+    FoundSoftware found = Workspace.read(folder, Optional.empty(), PYTHON);
+    assertEquals(isKnown ? OptionalDouble.of(20) : OptionalDouble.empty(), frequencyOfBrake(found));
+    assertEquals(!isKnown, asked(found, "What is the period of this timer: "));
+  }
+
+  private static OptionalDouble frequencyOfBrake(FoundSoftware found) {
+    return found.nodes().stream()
+        .filter(each -> each.description().startsWith("Brakes fully"))
+        .findFirst()
+        .orElseThrow()
+        .frequency();
   }
 
   @Test
