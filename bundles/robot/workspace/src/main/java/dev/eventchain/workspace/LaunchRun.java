@@ -22,6 +22,9 @@ final class LaunchRun {
       Pattern.compile("\\$\\(find-pkg-share '?([^)' ]+)'?\\)/+(.+)");
   private static final Pattern HERE = Pattern.compile("\\$\\(dirname\\)/+(.+)");
 
+  /** Value of a variable that is not known: it is never complete. */
+  private static final String UNKNOWN = "$(unknown)";
+
   /** Attributes with the arguments of a node. */
   private static final List<String> ARGUMENTS = List.of("args", "ros_args");
 
@@ -183,10 +186,10 @@ final class LaunchRun {
     }
   }
 
+  /** Sets a variable, also to what is not known: then it has no longer its earlier value. */
   private void variable(LaunchElement element, String attribute, Scope scope) {
-    Optional<String> value = path(element, attribute, scope);
-    known(element, "name")
-        .ifPresent(name -> value.ifPresent(known -> scope.variables.put(name, known)));
+    String value = path(element, attribute, scope).orElse(UNKNOWN);
+    known(element, "name").ifPresent(name -> scope.variables.put(name, value));
   }
 
   private Optional<String> namespace(LaunchElement element, Scope scope) {
@@ -216,6 +219,11 @@ final class LaunchRun {
     }
     included.add(file.get());
     Scope inner = scope.included();
+    if (element.children("arg").stream().anyMatch(it -> known(it, "name").isEmpty())) {
+      ask(
+          element,
+          "Which arguments does this give the included launch file? It is taken to give none.");
+    }
     element.children("arg").forEach(child -> variable(child, "value", inner));
     element.children("let").forEach(child -> variable(child, "value", inner));
     file(file.get(), inner, depth + 1);

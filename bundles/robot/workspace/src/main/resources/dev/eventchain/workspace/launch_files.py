@@ -7,6 +7,7 @@ Texts have the substitutions of XML: ``$(var NAME)``, ``$(find-pkg-share PACKAGE
 from __future__ import annotations
 
 import ast
+import contextlib
 from collections.abc import Iterable, Iterator
 
 from constants import Constants, Place, UnknownValueError
@@ -15,7 +16,7 @@ from source_modules import FUNCTIONS, Module, last_name
 
 Json = dict[str, object]
 
-_IGNORED = frozenset({"LogInfo", "SetEnvironmentVariable", "SetLaunchConfiguration", "Shutdown"})
+_IGNORED = frozenset({"LogInfo", "SetEnvironmentVariable", "Shutdown"})
 _DECISIONS = (ast.If, ast.For, ast.While, ast.With, ast.Try)
 _NODES = frozenset({"Node", "LifecycleNode"})
 _NAMED = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
@@ -122,6 +123,10 @@ class LaunchFile:
             default = keywords.get("default_value")
             attributes = {"name": self._text(argument), "default": self._text(default) if default else None}
             return {"kind": "arg", "line": node.lineno, "attributes": attributes}
+        if name == "SetLaunchConfiguration":
+            parts = [*node.args, *(keywords[key] for key in ("name", "value") if key in keywords)]
+            attributes = dict(zip(("name", "value"), map(self._text, parts), strict=False))
+            return {"kind": "let", "line": node.lineno, "attributes": attributes}
         if name in _IGNORED:
             return {"kind": "ignored", "line": node.lineno}
         return _unknown(node, f"what '{name}' launches is not read")
@@ -153,13 +158,9 @@ class LaunchFile:
         """Return pairs of texts: a list of tuples, or the items of a dict; an unknown list is one unknown pair."""
         if node is None:
             return []
+        node = self._definition(node)
         if isinstance(node, ast.Call) and last_name(node.func) == "items" and isinstance(node.func, ast.Attribute):
-            node = node.func.value
-        if isinstance(node, ast.Name):
-            try:
-                node = self._constants.definition(node, self._place)[0]
-            except UnknownValueError:
-                return [(None, None)]
+            node = self._definition(node.func.value)
         if isinstance(node, ast.Dict) and all(key is not None for key in node.keys):
             items = zip(node.keys, node.values, strict=True)
             return [(self._text(key), self._text(value)) for key, value in items if key]
@@ -167,6 +168,13 @@ class LaunchFile:
             pairs = [each.elts for each in node.elts if isinstance(each, (ast.List, ast.Tuple))]
             return [(self._text(first), self._text(second)) for first, second in pairs]
         return [(None, None)]
+
+    def _definition(self, node: ast.expr) -> ast.expr:
+        """Return what a name is given, as far as it is known."""
+        if isinstance(node, ast.Name):
+            with contextlib.suppress(UnknownValueError):
+                return self._constants.definition(node, self._place)[0]
+        return node
 
     def _text(self, node: ast.expr, depth: int = 0) -> str | None:
         """Return a text with substitutions; None if it is not known."""

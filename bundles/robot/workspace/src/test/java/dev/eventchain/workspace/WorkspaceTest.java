@@ -137,6 +137,50 @@ class WorkspaceTest {
     assertTrue(asked(found, "What is the parameter 'most' of this node?"));
   }
 
+  /** What sets a variable counts from there on, also if it is not known. */
+  @Test
+  void variablesHaveNoEarlierValues(@TempDir Path folder) throws IOException {
+    Path launch = Files.createDirectories(folder.resolve("src/braking/launch"));
+    Files.writeString(
+        launch.resolve("part.launch.xml"),
+        "<launch><arg name='near' default='3'/><node pkg='braking' exec='brake' name='part'>"
+            + "<param name='limit' value='$(var near)'/></node></launch>");
+    Files.writeString(
+        launch.resolve("all.launch.py"),
+        """
+        import os
+        from launch import LaunchDescription
+        from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, SetLaunchConfiguration
+        from launch.launch_description_sources import AnyLaunchDescriptionSource
+        from launch.substitutions import LaunchConfiguration
+        from launch_ros.actions import Node
+        from launch_ros.substitutions import FindPackageShare
+
+        def generate_launch_description():
+            limits = [{"limit": LaunchConfiguration("near")}]
+            part = [FindPackageShare("braking"), "/launch/part.launch.xml"]
+            unknown = {"near": os.environ["NEAR"]}.items()
+            return LaunchDescription([
+                DeclareLaunchArgument("near", default_value="1"),
+                Node(package="braking", executable="brake", name="first", parameters=limits),
+                SetLaunchConfiguration("near", "2"),
+                Node(package="braking", executable="brake", name="second", parameters=limits),
+                IncludeLaunchDescription(AnyLaunchDescriptionSource(part), launch_arguments=unknown),
+                IncludeLaunchDescription(AnyLaunchDescriptionSource(part), launch_arguments=read()),
+                SetLaunchConfiguration(name="near", value=os.environ["NEAR"]),
+                Node(package="braking", executable="brake", name="last", parameters=limits),
+            ])
+        """);
+    FoundSoftware found =
+        launching(folder, "<include file='$(find-pkg-share braking)/launch/all.launch.py'/>");
+    assertEquals(
+        List.of("/first {limit=1}", "/second {limit=2}", "/part {}", "/part {limit=2}", "/last {}"),
+        found.nodes().stream()
+            .map(each -> each.name() + " " + each.python().orElseThrow().parameters())
+            .toList());
+    assertTrue(asked(found, "Which arguments does this give the included launch file?"));
+  }
+
   private static FoundSoftware launching(Path folder, String started) throws IOException {
     copy("ws", folder);
     Files.delete(folder.resolve("src/braking/launch/aeb.launch.py"));
