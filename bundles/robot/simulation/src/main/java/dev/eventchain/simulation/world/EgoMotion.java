@@ -130,7 +130,7 @@ public final class EgoMotion {
   /** Returns an upper bound of the curvature of its path in a time step, in 1/m. */
   double turning() {
     boolean turnsItself = motor.filter(it -> it.yawRate().isPresent()).isPresent();
-    return turnsItself ? chassis.tightest() : speed > 0.0 ? Math.abs(curvature) : 0.0;
+    return turnsItself && !steered ? chassis.tightest() : speed > 0.0 ? Math.abs(curvature) : 0.0;
   }
 
   /** Returns the yaw rate in rad/s, positive to the left. */
@@ -195,7 +195,7 @@ public final class EgoMotion {
    */
   void follow(VehicleCommand newCommand, boolean driverSteers) {
     command = newCommand;
-    steered &= command.limitedSteering() == 0.0 && (driverSteers || !command.steers());
+    steered &= !command.turns() && (driverSteers || !command.steers());
     if (!steered) {
       curvature = chassis.curvature(command.limitedSteering());
     }
@@ -309,7 +309,9 @@ public final class EgoMotion {
       double piece = target == speed ? left : Math.min(needed, left);
       double after = piece == needed ? target : speed - deceleration * piece;
       double distance = (speed + after) / 2.0 * piece;
-      wanted.yawRate().ifPresent(rate -> turn(rate * piece, direction * distance));
+      if (wanted.yawRate().isPresent() && !steered) {
+        turn(wanted.yawRate().getAsDouble() * piece, direction * distance);
+      }
       move(distance);
       speed = after;
       left -= piece;

@@ -159,6 +159,12 @@ public record VehicleCommand(
     return Math.copySign(limited(Math.abs(steering)), steering);
   }
 
+  /** Returns whether it turns the vehicle. */
+  boolean turns() {
+    return limitedSteering() != 0.0
+        || motor.filter(it -> it.yawRate().orElse(0.0) != 0.0).isPresent();
+  }
+
   private static double limited(double demand) {
     return demand > 0.0 ? Math.min(demand, 1.0) : 0.0;
   }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -32,9 +33,15 @@ class SpeedCommandTest {
   }
 
   private static World world(EgoVehicle robot) {
+    return world(robot, false);
+  }
+
+  private static World world(EgoVehicle robot, boolean isSteered) {
     HumanDriver driver =
         new HumanDriver(
-            new SpeedProfile(robot.speed(), List.of()), new LateralProfile(0, List.of()), false);
+            new SpeedProfile(robot.speed(), List.of()),
+            new LateralProfile(isSteered ? 1 : 0, List.of()),
+            isSteered);
     Road road = Road.bend(0, Road.USUAL_LANE_WIDTH);
     return new World(new Situation(robot, driver, road, List.of()), new Trace());
   }
@@ -121,6 +128,21 @@ class SpeedCommandTest {
     world.advanceTo(World.nanoseconds(6.5));
     assertEquals(Math.PI / 4, world.ego().front().heading(), 1e-6);
     assertEquals(Math.PI / 10, world.trace().end().pose().yawRate(), 1e-9);
+  }
+
+  /** A driver who is said to steer has the wheel until the software first turns the vehicle. */
+  @Test
+  void aDriverSteersUntilItTurns() {
+    EgoVehicle robot = robot(1.0, 0.0);
+    World world = world(robot, true);
+    command(world, robot, 1.0, 0.0);
+    world.advanceTo(World.nanoseconds(10));
+    assertEquals(1.0, world.station().across(), 0.05);
+    assertTrue(world.trace().wheelTaken().isEmpty());
+    command(world, robot, 1.0, 0.1);
+    world.advanceTo(World.nanoseconds(11));
+    assertEquals(OptionalLong.of(World.nanoseconds(10)), world.trace().wheelTaken());
+    assertEquals(0.1, world.trace().end().pose().yawRate(), 1e-9);
   }
 
   @Test
