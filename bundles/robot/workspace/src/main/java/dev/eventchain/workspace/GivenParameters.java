@@ -1,6 +1,7 @@
 package dev.eventchain.workspace;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -9,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
-import java.util.regex.Pattern;
 
 /**
  * Parameters of ROS 2 that launch gives one node.
@@ -104,10 +104,26 @@ record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolea
   }
 
   private static boolean matches(String nodes, Optional<String> node) {
-    String pattern =
-        Pattern.quote(full(nodes)).replace("/**", "\\E(/\\w+)*\\Q").replace("/*", "\\E(/\\w+)\\Q");
     return nodes.equals(ParameterAssignment.ALL)
-        || node.filter(it -> it.matches(pattern)).isPresent();
+        || node.filter(it -> matches(full(nodes).split("/"), it.split("/"))).isPresent();
+  }
+
+  /** Matches part by part, since a regular expression may take exponentially long. */
+  private static boolean matches(String[] pattern, String[] name) {
+    BitSet reached = new BitSet();
+    reached.set(0);
+    for (String part : pattern) {
+      BitSet next = new BitSet();
+      for (int i = reached.nextSetBit(0); i >= 0; i = reached.nextSetBit(i + 1)) {
+        if (part.equals("**")) {
+          next.set(i, name.length + 1);
+        } else if (i < name.length && (part.equals("*") || part.equals(name[i]))) {
+          next.set(i + 1);
+        }
+      }
+      reached = next;
+    }
+    return reached.get(name.length);
   }
 
   /** Returns whether a value may differ from that of a node alone, among those of some names. */

@@ -1,0 +1,55 @@
+package dev.eventchain.workspace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
+
+import com.fasterxml.jackson.databind.node.IntNode;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Tests which nodes a name with wildcards means; that of other readers is asked for. */
+class GivenParametersTest {
+
+  @ParameterizedTest
+  @CsvSource({
+    "/left/filter, true",
+    "left/filter, true",
+    "/*/filter, true",
+    "/left/*, true",
+    "/**/filter, true",
+    "/left/**, true",
+    "/**/left/**/filter, true",
+    "/*, false",
+    "/*/*/filter, false",
+    "/left, false",
+    "/left/filter/**, true",
+    "/left/filters, false",
+    "/left/fil*, false"
+  })
+  void wildcardsStandForPartsOfNames(String nodes, boolean matches) {
+    assertEquals(matches ? Set.of("limit") : Set.of(), given(nodes, "/left/filter"));
+  }
+
+  @Test
+  void manyWildcardsTakeNoLongTime() {
+    String nodes = "/**/a".repeat(40) + "/b";
+    assertTimeoutPreemptively(
+        Duration.ofSeconds(20), () -> assertEquals(Set.of(), given(nodes, "/a".repeat(80))));
+  }
+
+  /** Returns the parameters that a node may have from those of some nodes. */
+  private static Set<String> given(String nodes, String node) {
+    GivenParameters found =
+        GivenParameters.of(
+            List.of(new ParameterAssignment(nodes, "limit", Optional.of(IntNode.valueOf(1)))),
+            Optional.of(node),
+            new ArrayList<>()::add);
+    return found.values().isEmpty() ? found.unknown() : found.values().keySet();
+  }
+}
