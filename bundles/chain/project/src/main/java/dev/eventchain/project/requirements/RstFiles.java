@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** The files that texts in reStructuredText take in or name as further documents. */
 final class RstFiles {
@@ -47,6 +48,11 @@ final class RstFiles {
     Path file() {
       return open.get(open.size() - 1);
     }
+
+    /** Returns the outermost file. */
+    Path document() {
+      return open.get(0);
+    }
   }
 
   /** Returns the documents that texts name, in their order. */
@@ -54,14 +60,14 @@ final class RstFiles {
     return documents;
   }
 
-  /** Returns whether a file was taken in by another one. */
+  /** Returns whether a file was taken in by another one, all of it. */
   boolean isIncluded(Path file) {
     return included.contains(file);
   }
 
   /** Returns the file that another one takes in; empty with a finding if it is not read. */
   Optional<Open> include(Open from, String name, SourceLocation place) {
-    Optional<Path> found = folders.find(from.file(), name);
+    Optional<Path> found = find(from, name);
     if (found.isEmpty()) {
       outside(name, place);
     } else if (from.open().contains(found.get())) {
@@ -78,6 +84,21 @@ final class RstFiles {
     return Optional.empty();
   }
 
+  /**
+   * Returns the file that a name stands for: from the file that has it, as in docutils, or else
+   * from the document that takes that in, as in Sphinx.
+   */
+  private Optional<Path> find(Open from, String name) {
+    List<Path> found =
+        Stream.of(from.file(), from.document())
+            .flatMap(each -> folders.find(each, name).stream())
+            .toList();
+    return found.stream()
+        .filter(Files::isRegularFile)
+        .findFirst()
+        .or(() -> found.stream().findFirst());
+  }
+
   private Optional<Open> open(Open from, Path file, SourceLocation place) {
     List<Path> open = new ArrayList<>(from.open());
     open.add(file);
@@ -90,7 +111,6 @@ final class RstFiles {
           place,
           "Take some of them out.");
     }
-    included.add(file);
     return read.map(text -> new Open(text, open));
   }
 
@@ -98,12 +118,12 @@ final class RstFiles {
   void document(Open from, String name, SourceLocation place) {
     List<Path> found =
         RstReferences.candidates(name)
-            .flatMap(each -> folders.find(from.file(), each).stream())
+            .flatMap(each -> find(from, each).stream())
             .toList();
     Optional<Path> file = found.stream().filter(Files::isRegularFile).findFirst();
     if (found.isEmpty()) {
       outside(name, place);
-    } else if (file.isEmpty()) {
+    } else if (file.isEmpty() && !folders.isRead(from.file(), name)) {
       reading.unread(
           "There is no document '" + name + "', so that nothing of it is read.",
           place,
@@ -147,6 +167,9 @@ final class RstFiles {
     }
     first = after.isEmpty() ? first : Math.max(first, file.source().at(from).line());
     last = until.isEmpty() ? last : Math.min(last, file.source().at(to).line() - 1);
+    if (first == 0 && last == lines.size()) {
+      included.add(file.file());
+    }
     return Optional.of(new Part(lines.subList(first, Math.max(first, last)), first));
   }
 

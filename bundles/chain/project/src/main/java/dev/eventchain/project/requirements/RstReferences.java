@@ -27,6 +27,9 @@ final class RstReferences {
   private static final Pattern TITLED = Pattern.compile("[^<>]*<([^<>]+)>");
   private static final List<String> SUFFIXES = List.of(".rst", ".md");
 
+  /** What Sphinx makes itself, and projects list among their documents. */
+  private static final Set<String> MADE = Set.of("self", "genindex", "modindex", "search");
+
   /** Greatest number of files that are looked through. */
   private static final int MOST = 10_000;
 
@@ -37,14 +40,17 @@ final class RstReferences {
   /** Finds the files that texts name, and those that these name, and so on. */
   RstReferences(Collection<Path> texts, TextFolders folders) {
     this.folders = folders;
-    Deque<Path> open = new ArrayDeque<>(texts);
-    Set<Path> seen = new LinkedHashSet<>(texts);
+    Set<Named> seen = new LinkedHashSet<>();
+    texts.forEach(text -> seen.add(new Named(text, text)));
+    Deque<Named> open = new ArrayDeque<>(seen);
     while (!open.isEmpty() && seen.size() <= MOST) {
-      Path text = open.pop();
-      named(text).stream().filter(seen::add).forEach(open::add);
+      named(open.pop()).stream().filter(seen::add).forEach(open::add);
     }
-    files.addAll(seen);
+    seen.forEach(each -> files.add(each.file()));
   }
+
+  /** A file, and the document that takes it in, which is itself where none does. */
+  private record Named(Path file, Path document) {}
 
   /** Returns the texts, and after them all files that they name, which need not exist. */
   Set<Path> files() {
@@ -56,25 +62,29 @@ final class RstReferences {
     return included;
   }
 
-  private List<Path> named(Path text) {
-    if (SourceFiles.has(text, ".md") || !Files.isRegularFile(text)) {
+  private List<Named> named(Named text) {
+    if (SourceFiles.has(text.file(), ".md") || !Files.isRegularFile(text.file())) {
       return List.of();
     }
     try {
-      List<Path> found = new ArrayList<>();
+      List<Named> found = new ArrayList<>();
       int tree = -1;
-      for (String line : SourceText.read(text).text().lines().toList()) {
+      for (String line : SourceText.read(text.file()).text().lines().toList()) {
         Matcher include = INCLUDE.matcher(line);
         if (include.matches()) {
-          Optional<Path> part = folders.find(text, include.group(1).strip());
-          part.ifPresent(found::add);
-          part.ifPresent(included::add);
+          for (Path part : find(text, include.group(1).strip())) {
+            found.add(new Named(part, text.document()));
+            included.add(part);
+          }
         } else if (TREE.matcher(line).matches()) {
           tree = TextBlocks.indent(line);
         } else if (!line.isBlank() && TextBlocks.indent(line) <= tree) {
           tree = -1;
         } else if (tree >= 0) {
-          document(line).ifPresent(name -> found.addAll(documents(text, name)));
+          document(line).stream()
+              .flatMap(RstReferences::candidates)
+              .flatMap(name -> find(text, name).stream())
+              .forEach(each -> found.add(new Named(each, each)));
         }
       }
       return found;
@@ -89,12 +99,15 @@ final class RstReferences {
     Matcher titled = TITLED.matcher(text);
     String name = titled.matches() ? titled.group(1).strip() : text;
     boolean isOther =
-        name.isEmpty() || name.startsWith(":") || name.equals("self") || name.contains("://");
+        name.isEmpty() || name.startsWith(":") || MADE.contains(name) || name.contains("://");
     return isOther ? Optional.empty() : Optional.of(name);
   }
 
-  private List<Path> documents(Path text, String name) {
-    return candidates(name).flatMap(each -> folders.find(text, each).stream()).toList();
+  /** Returns the files that a name in a file may stand for, see {@link RstFiles}. */
+  private List<Path> find(Named text, String name) {
+    return Stream.of(text.file(), text.document())
+        .flatMap(each -> folders.find(each, name).stream())
+        .toList();
   }
 
   /** Returns the names of files that a document may have. */

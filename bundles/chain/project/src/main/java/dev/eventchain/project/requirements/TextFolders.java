@@ -13,6 +13,7 @@ final class TextFolders {
   /** Settings of Sphinx, in the folder from which names with a slash in front count. */
   private static final String SETTINGS = "conf.py";
 
+  private final boolean isFolder;
   private final Path shown;
   private final Path folder;
   private final List<Path> roots;
@@ -20,7 +21,8 @@ final class TextFolders {
   TextFolders(RequirementSource source) {
     Path file = source.file();
     Path beside = file.getParent() == null ? Path.of("") : file.getParent();
-    this.shown = Files.isDirectory(file) ? file : beside;
+    this.isFolder = Files.isDirectory(file);
+    this.shown = isFolder ? file : beside;
     this.folder = plain(shown);
     this.roots = List.of(folder, plain(source.project()));
   }
@@ -43,6 +45,15 @@ final class TextFolders {
     } catch (InvalidPathException e) {
       return Optional.empty();
     }
+  }
+
+  /** Returns whether a pattern stands for files of a source that is a folder, which are all read. */
+  boolean isRead(Path from, String pattern) {
+    int wildcard = pattern.replaceAll("[*?\\[].*", "").length();
+    String above = pattern.substring(0, pattern.lastIndexOf('/', wildcard) + 1);
+    return isFolder
+        && wildcard < pattern.length()
+        && find(from, above).filter(it -> plain(it).startsWith(folder)).isPresent();
   }
 
   private Path base(Path from) {
