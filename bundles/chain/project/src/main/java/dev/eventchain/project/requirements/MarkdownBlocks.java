@@ -16,6 +16,10 @@ final class MarkdownBlocks extends TextBlocks {
   private static final Pattern UNDERLINE = Pattern.compile(" {0,3}(=+|-{3,})\\s*");
   private static final Pattern BAR = Pattern.compile("(?<!\\\\)\\|");
 
+  /** Admonitions and tabs of MkDocs, whose content is indented by as much as code. */
+  private static final Pattern INDENTED =
+      Pattern.compile("\\s*(?:!!!|\\?\\?\\?\\+?|===[!+]?)\\s+[\"A-Za-z].*");
+
   /** Columns by which code is indented, and to which tabs lead. */
   private static final int CODE = 4;
 
@@ -86,8 +90,13 @@ final class MarkdownBlocks extends TextBlocks {
     return HEADING.matcher(line).matches()
         || FENCE.matcher(line).matches()
         || line.stripLeading().startsWith("<!--")
+        || isIndented(index)
         || isTable(index)
         || isUnderlined(index);
+  }
+
+  private boolean isIndented(int index) {
+    return INDENTED.matcher(lines.get(index)).matches() && !isCode(index);
   }
 
   private boolean isTable(int index) {
@@ -114,6 +123,11 @@ final class MarkdownBlocks extends TextBlocks {
       blocks.add(new TextBlock.Heading(number(next++), level, text));
     } else if (fence.matches()) {
       skipTo(fence.group(1));
+    } else if (isIndented(next)) {
+      int indent = indent(lines.get(next));
+      entries.addLast(column(lines.get(next), indent) + CODE);
+      String text = lines.get(next).strip();
+      blocks.add(new TextBlock.Lines(number(next++), indent, false, List.of(text)));
     } else if (isTable(next)) {
       table();
     } else if (isUnderlined(next)) {

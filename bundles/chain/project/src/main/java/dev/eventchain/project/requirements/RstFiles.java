@@ -117,9 +117,7 @@ final class RstFiles {
   /** Keeps a document that a tree names, with a finding if there is none. */
   void document(Open from, String name, SourceLocation place) {
     List<Path> found =
-        RstReferences.candidates(name)
-            .flatMap(each -> find(from, each).stream())
-            .toList();
+        RstReferences.candidates(name).flatMap(each -> find(from, each).stream()).toList();
     Optional<Path> file = found.stream().filter(Files::isRegularFile).findFirst();
     if (found.isEmpty()) {
       outside(name, place);

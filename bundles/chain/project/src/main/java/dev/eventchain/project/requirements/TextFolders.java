@@ -47,7 +47,9 @@ final class TextFolders {
     }
   }
 
-  /** Returns whether a pattern stands for files of a source that is a folder, which are all read. */
+  /**
+   * Returns whether a pattern stands for files of a source that is a folder, which are all read.
+   */
   boolean isRead(Path from, String pattern) {
     int wildcard = pattern.replaceAll("[*?\\[].*", "").length();
     String above = pattern.substring(0, pattern.lastIndexOf('/', wildcard) + 1);
