@@ -23,9 +23,17 @@ final class TextForms {
           "[\\[(*`]*+([A-Z][A-Za-z]{0,20}[ :#–—_]{1,2}[0-9][0-9A-Za-z._-]{0,30})[\\])*`:.]*+(.*)");
   private static final Pattern NUMBER =
       Pattern.compile("([0-9]{1,5}(?:\\.[0-9]{1,5}){1,8})[.):]?+(\\s.*)");
-  private static final Pattern QUOTED =
-      Pattern.compile("[>\\s]*+(?:(?:[-*+]|[0-9]{1,9}[.)])\\s+)?(.*)");
-  private static final Pattern SENTENCE = Pattern.compile("\\s+\\p{Lu}.*");
+
+  /** Marks in front of a text: of quotations, lists and tasks, tags and symbols. */
+  private static final Pattern MARKS =
+      Pattern.compile(
+          "(?:[>\\s]++|(?:[-*+]|[0-9]{1,9}[.)]|\\[[ xX]\\])\\s|<[^<>]*+>|\\p{So}){0,20}+(.*)");
+
+  private static final Pattern EMPHASIS =
+      Pattern.compile(
+          "(?<![A-Za-z0-9_])_{1,2}(?=[A-Za-z0-9])|(?<=[A-Za-z0-9])_{1,2}(?![A-Za-z0-9_])");
+  private static final Pattern SENTENCE =
+      Pattern.compile("[.)]?\\s+\\p{Lu}.*|\\s*+(?:[|:=→>–—]|-\\s).*");
 
   private final Map<String, List<Found>> found = new LinkedHashMap<>();
 
@@ -36,19 +44,26 @@ final class TextForms {
 
   /** Looks through the blocks of a text. */
   void see(SourceText source, List<TextBlock> blocks) {
+    heading = Optional.empty();
+    look(source, blocks);
+  }
+
+  private void look(SourceText source, List<TextBlock> blocks) {
     for (TextBlock block : blocks) {
       if (block instanceof TextBlock.Heading it) {
         String text = it.text().strip();
         heading =
             TextIds.ofHeading(text).isPresent()
                 ? Optional.empty()
-                : form(text).map(id -> new Found(id.id(), source.at(it.line(), 1)));
+                : form(text)
+                    .or(() -> atEnd(text))
+                    .map(id -> new Found(id.id(), source.at(it.line(), 1)));
       } else if (block instanceof TextBlock.Lines it) {
         for (int i = 0; i < it.lines().size(); i++) {
           line(it.lines().get(i), source.at(it.line() + i, 1));
         }
       } else if (block instanceof TextBlock.Included it) {
-        see(it.source(), it.blocks());
+        look(it.source(), it.blocks());
       } else {
         heading = Optional.empty();
       }
@@ -56,8 +71,8 @@ final class TextForms {
   }
 
   private void line(String line, SourceLocation place) {
-    Matcher quoted = QUOTED.matcher(line);
-    String text = quoted.matches() ? quoted.group(1) : line;
+    Matcher marks = MARKS.matcher(line);
+    String text = EMPHASIS.matcher(marks.matches() ? marks.group(1) : line).replaceAll("");
     if (TextIds.ofLine(line).isPresent()) {
       heading = Optional.empty();
     } else if (TextIds.ofLine(text).isPresent()) {
@@ -81,6 +96,15 @@ final class TextForms {
     Matcher any = word.matches() ? word : number;
     return any == word || number.matches()
         ? Optional.of(new TextIds.Named(any.group(1), any.group(2)))
+        : Optional.empty();
+  }
+
+  /** Returns the id in brackets at the end of a heading: {@code Braking (REQ-1)}. */
+  private static Optional<TextIds.Named> atEnd(String text) {
+    int bracket = Math.max(text.lastIndexOf('('), text.lastIndexOf('['));
+    String id = TextIds.withoutEnd(text.substring(bracket + 1), ")]");
+    return bracket >= 0 && TextIds.isId(id)
+        ? Optional.of(new TextIds.Named(id, ""))
         : Optional.empty();
   }
 

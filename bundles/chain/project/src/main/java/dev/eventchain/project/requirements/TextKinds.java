@@ -47,6 +47,8 @@ final class TextKinds {
 
   private final Map<String, SourceLocation> passed = new LinkedHashMap<>();
   private TextIds.Named open;
+  private int level;
+  private boolean isAside;
 
   TextKinds(Reading reading) {
     this.reading = reading;
@@ -58,7 +60,7 @@ final class TextKinds {
     return REQUIRED.matcher(text).find();
   }
 
-  /** Returns the first part of an id, which says what it is. */
+  /** Returns whether an id begins with a usual name. */
   static boolean isName(String id) {
     String kind = kind(id).toLowerCase(Locale.ROOT);
     return NAMES.contains(kind.split("[-_./]", 2)[0]);
@@ -76,17 +78,18 @@ final class TextKinds {
 
   private void see(TextBlock block) {
     if (block instanceof TextBlock.Heading heading) {
-      open = TextIds.ofHeading(heading.text()).orElse(null);
-      if (open != null) {
-        headings.computeIfAbsent(kind(open.id()), kind -> new TreeSet<>()).add(open.id());
-        prove(open.id(), !isName(open.id()) && TextIds.isMarked(heading.text(), open));
-      }
+      see(heading);
     } else if (block instanceof TextBlock.Lines lines) {
       lines.lines().forEach(this::see);
     } else if (block instanceof TextBlock.Table table) {
       TableColumns columns = new TableColumns(table, reading.fields);
       boolean isOfItems = columns.hasIds() && columns.hasTexts();
-      table.rows().forEach(row -> prove(isOfItems ? columns.id(row) : "", isOfItems));
+      if (isOfItems) {
+        table.rows().forEach(row -> prove(columns.id(row), true));
+      } else {
+        support(String.join(": ", table.header()));
+        table.rows().forEach(row -> support(String.join(": ", row.cells())));
+      }
     } else if (block instanceof TextBlock.Directive directive) {
       prove(directive.options().getOrDefault(reading.fields.id().orElse("id"), ""), true);
     } else if (block instanceof TextBlock.Included included) {
@@ -94,10 +97,31 @@ final class TextKinds {
     }
   }
 
+  /** Opens a heading with an id, or goes on below the one that is open. */
+  private void see(TextBlock.Heading heading) {
+    Optional<TextIds.Named> named = TextIds.ofHeading(heading.text());
+    if (named.isPresent()) {
+      open = named.get();
+      level = heading.level();
+      headings.computeIfAbsent(kind(open.id()), kind -> new TreeSet<>()).add(open.id());
+      prove(open.id(), !isName(open.id()) && TextIds.isMarked(heading.text(), open));
+    } else if (heading.level() <= level) {
+      open = null;
+    }
+    isAside = named.isEmpty() && TextOutline.isBeside(heading);
+  }
+
   private void see(String line) {
     Optional<TextIds.Named> named = TextIds.ofLine(line);
     named.ifPresent(it -> prove(it.id(), !isName(it.id())));
-    if (open != null && named.isEmpty()) {
+    if (named.isEmpty()) {
+      support(line);
+    }
+  }
+
+  /** Takes what is said below a heading as evidence that it is that of an item. */
+  private void support(String line) {
+    if (open != null && !isAside) {
       boolean isFact =
           TextIds.ofFact(line).filter(it -> TextOutline.isKnown(it, reading.fields)).isPresent();
       prove(open.id(), isFact);

@@ -105,8 +105,7 @@ final class TextOutline {
         heading != null
             && heading.text.isEmpty()
             && found.level() > heading.depth
-            && (heading.title.isBlank()
-                || !BESIDES.contains(found.text().toLowerCase(Locale.ROOT)));
+            && (heading.title.isBlank() || !isBeside(found));
     if (named.isPresent()) {
       if (TextIds.isAnother(named.get())) {
         reading.unread(
@@ -120,6 +119,11 @@ final class TextOutline {
     } else if (!continues) {
       heading = null;
     }
+  }
+
+  /** Returns whether what follows a heading is no text of a requirement. */
+  static boolean isBeside(TextBlock.Heading heading) {
+    return BESIDES.contains(heading.text().toLowerCase(Locale.ROOT));
   }
 
   private boolean isItem(TextIds.Named named, boolean isItem, int line) {
