@@ -38,6 +38,10 @@ class FormatHookTest {
         .run(SCRIPT, "--check", "--indent=4", "a.ocl", "my car/bench.yaml", "t/a.mtl", "a.xmi")
         .expect(0)
         .says("<format><--check><--indent=4><a.ocl><my car/bench.yaml><t/a.mtl>");
+    repository
+        .run(SCRIPT, "--check", "t/../a.ocl", "../b.ocl")
+        .expect(0)
+        .says("<format><--check><t/../a.ocl><../b.ocl>");
     repository.write("code", "1");
     repository.run(SCRIPT, "a.ocl").expect(1);
   }
