@@ -90,6 +90,15 @@ class FormulaNamesTest {
             + text.substring(lines.offset(taken.replaced().end())));
   }
 
+  /** A name without quotation marks has no blank in it. */
+  @Test
+  void nothingIsProposedBehindAComparison() {
+    String marked = formula(" == 1 and /b^");
+    assertTrue(
+        analysis(marked).completions(cursor(marked)).stream()
+            .noneMatch(each -> each.label().equals("OCCUPIED")));
+  }
+
   @Test
   void anUnknownSignalHasNone() {
     String marked = "accept:\n  formulas:\n    - formula: always /a.data == '^'\n";
