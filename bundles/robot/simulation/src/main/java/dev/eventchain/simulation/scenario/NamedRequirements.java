@@ -83,14 +83,24 @@ public final class NamedRequirements {
     List<String> ids = words.map(ObjectReader::names).orElse(List.of());
     for (String id : ids) {
       ObjectReader part = words.get();
-      boolean several = part.value(id).filter(JsonNode::isArray).isPresent();
-      for (String each : several ? part.texts(id) : List.of(part.requiredText(id))) {
+      for (String each : quoted(part, id)) {
         judged.add(new JudgedWords(criterion, id, each, part.at(id)));
       }
       places.putIfAbsent(id, part.atKey(id));
     }
     ofCriteria.addAll(ids);
     return ids;
+  }
+
+  private static List<String> quoted(ObjectReader words, String id) {
+    if (words.value(id).filter(JsonNode::isArray).isEmpty()) {
+      return List.of(words.requiredText(id));
+    }
+    List<String> several = words.texts(id);
+    if (several.isEmpty() || several.stream().anyMatch(String::isBlank)) {
+      words.find(ScenarioRules.VALUE_RANGE, "This quotes no words.", words.at(id));
+    }
+    return several;
   }
 
   /** Returns the words of requirements that criteria judge, in the order of reading. */
