@@ -82,13 +82,15 @@ final class UnitTable {
     derived(1e-3, "l", 3, 0, 0, 0);
     derived(1e-3, "L", 3, 0, 0, 0);
     plain(1.0, METRE, "meter", "metre", "meters", "metres");
+    plain(1000.0, METRE, "kilometer", "kilometre", "kilometers", "kilometres");
     plain(0.0254, METRE, "in", "inch");
     plain(0.3048, METRE, "ft");
     plain(1609.344, METRE, "mi");
     plain(1000.0, KILOGRAM, "t");
     plain(POUND, KILOGRAM, "lb", "lbs");
     plain(1.0, SECOND, "sec", "second", "seconds");
-    plain(60.0, SECOND, "min");
+    plain(1e-3, SECOND, "millisecond", "milliseconds");
+    plain(60.0, SECOND, "min", "minute", "minutes");
     plain(3600.0, SECOND, "h", "hour", "hours");
     plain(86400.0, SECOND, "d", "day", "days");
     plain(604800.0, SECOND, "week", "weeks");

@@ -63,6 +63,8 @@ class UnitTest {
     "bar, kPa, multiply by 100",
     "rpm, rad/s, divide by 9.549296586",
     "kWh, J, multiply by 3600000",
+    "minutes, milliseconds, multiply by 60000",
+    "kilometers, m, multiply by 1000",
   })
   void conversionsAreSaid(String from, String to, String words) {
     assertEquals(Unit.Relation.CONVERTIBLE, unit(from).relationTo(unit(to)));

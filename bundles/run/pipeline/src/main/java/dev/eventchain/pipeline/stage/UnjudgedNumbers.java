@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -20,13 +21,16 @@ import java.util.regex.Pattern;
 final class UnjudgedNumbers {
 
   private static final Pattern SPACE = Pattern.compile("\\s+");
+  private static final String FACTOR = "[\\p{L}\u00b0%]+(?:\\^?\\d|[\u00b2\u00b3])?";
+
+  /** A number with a word that may be its unit; not in ids, dates, times and versions. */
   private static final Pattern NUMBER =
       Pattern.compile(
-          "(?<![\\p{L}\\d_.,-])[-+\u2212]?\\d+(?:[.,]\\d+)?[\\s\u00a0\u202f]*"
-              + "([\\p{L}\u00b0%][\\p{L}\\d\u00b0%\u00b2\u00b3^/\u00b7*]*)");
+          "(?:(?<![\\p{L}\\d_.,:-])|(?<=\\d-))[-+\u2212]?\\d+(?:[.,]\\d+)?"
+              + "\\**[\\s\u00a0\u202f]*(%s(?:[/\u00b7*]%s)*)".formatted(FACTOR, FACTOR));
 
-  /** A preposition far more often than inches. */
-  private static final String IN = "in";
+  /** Words that are far more often something else, as in "1 in 3", "2d" and "ISO 15622 B". */
+  private static final Set<String> NO_UNITS = Set.of("in", "d", "B");
 
   private final List<Scenario> scenarios;
 
@@ -90,7 +94,7 @@ final class UnjudgedNumbers {
   }
 
   private static boolean isUnit(String word) {
-    return !word.equals(IN) && Unit.parse(word).isPresent();
+    return !NO_UNITS.contains(word) && Unit.parse(word).isPresent();
   }
 
   private static String plain(String text) {
