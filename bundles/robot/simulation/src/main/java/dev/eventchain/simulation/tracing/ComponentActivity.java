@@ -30,7 +30,7 @@ final class ComponentActivity {
   /** Readings of a topic that the trace does not explain. */
   record Unmatched(String topic, int count, int of) {}
 
-  /** Time in which all messages that were underway at the start have been read, in ns. */
+  /** Time in which messages that wait at the start, of the trace or a component, are read, in ns. */
   private static final long WHILE_BEGINNING = 1_000_000_000L;
 
   private final Node node;
@@ -49,6 +49,7 @@ final class ComponentActivity {
   private final Map<String, Integer> taken = new LinkedHashMap<>();
   private final Map<String, Integer> unmatched = new LinkedHashMap<>();
   private final Map<String, Integer> earlier = new LinkedHashMap<>();
+  private final Map<String, Long> firstReads = new LinkedHashMap<>();
   private final Map<String, List<Long>> waiting = new LinkedHashMap<>();
   private final List<Activation> activations = new ArrayList<>();
   private final List<Long> executionTimes = new ArrayList<>();
@@ -107,6 +108,7 @@ final class ComponentActivity {
 
   private void read(Take take) {
     String topic = take.subscription.topic();
+    firstReads.putIfAbsent(topic, take.time);
     Optional<SampleId> sample = messages.taken(take);
     if (sample.isEmpty()) {
       if (isEarlier(take)) {
@@ -135,10 +137,9 @@ final class ComponentActivity {
    * it. Later on, such a time is that of another clock.
    */
   private boolean isEarlier(Take take) {
-    boolean isFirst = !taken.containsKey(take.subscription.topic());
-    return take.stamp != 0
-        && take.stamp < begin
-        && (isFirst || take.time - begin < WHILE_BEGINNING);
+    String topic = take.subscription.topic();
+    long beginning = taken.containsKey(topic) ? begin : firstReads.get(topic);
+    return take.stamp != 0 && take.stamp < begin && take.time - beginning < WHILE_BEGINNING;
   }
 
   /**

@@ -216,6 +216,15 @@ class TraceMeasurementTest {
     assertEquals(1, measured.unmatched().get(0).count());
   }
 
+  /** A component that starts late reads what was kept for it at once, and not again and again. */
+  @Test
+  void oldTimesAreThoseOfAnotherClockIfThereAreNoOthers() {
+    TraceMeasurement measured =
+        measured(nodes().take(5000, 2, -2).take(5001, 2, -1).take(6100, 2, -1).take(7000, 2, -1));
+    assertEquals(2, measured.earlier().get(0).count());
+    assertEquals(2, measured.unmatched().get(0).count());
+  }
+
   @Test
   void messagesWithinAProcessAreNotKnown() {
     TraceMeasurement measured =
