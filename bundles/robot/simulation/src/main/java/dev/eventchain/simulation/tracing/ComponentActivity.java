@@ -30,7 +30,9 @@ final class ComponentActivity {
   /** Readings of a topic that the trace does not explain. */
   record Unmatched(String topic, int count, int of) {}
 
-  /** Time in which messages that wait at the start, of the trace or a component, are read, in ns. */
+  /**
+   * Time in which messages that wait at the start, of the trace or a component, are read, in ns.
+   */
   private static final long WHILE_BEGINNING = 1_000_000_000L;
 
   private final Node node;
