@@ -3,6 +3,7 @@ package dev.eventchain.catalogue.dbc;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,11 +20,10 @@ final class DbcOverlaps {
   private static final class Group {
 
     private final Map<DbcSignal, List<DbcCondition.Range>> conditions;
-    private final DbcSignal[] owners;
+    private final Map<Integer, DbcSignal> owners = new HashMap<>();
 
-    Group(Map<DbcSignal, List<DbcCondition.Range>> conditions, int bits) {
+    Group(Map<DbcSignal, List<DbcCondition.Range>> conditions) {
       this.conditions = conditions;
-      owners = new DbcSignal[bits];
     }
 
     /** Returns whether signals of this and another group can be in one message. */
@@ -57,11 +57,11 @@ final class DbcOverlaps {
     }
 
     Optional<DbcSignal> owner(List<Integer> bits) {
-      return bits.stream().filter(bit -> owners[bit] != null).map(bit -> owners[bit]).findFirst();
+      return bits.stream().filter(owners::containsKey).map(owners::get).findFirst();
     }
 
     void add(DbcSignal signal, List<Integer> bits) {
-      bits.stream().filter(bit -> owners[bit] == null).forEach(bit -> owners[bit] = signal);
+      bits.forEach(bit -> owners.putIfAbsent(bit, signal));
     }
   }
 
@@ -84,8 +84,7 @@ final class DbcOverlaps {
   }
 
   private Group group(DbcSignal signal) {
-    return groups.computeIfAbsent(
-        message.conditions(signal), when -> new Group(when, 8 * message.size()));
+    return groups.computeIfAbsent(message.conditions(signal), Group::new);
   }
 
   /** Finds what may meet; of the many groups with one number each of a multiplexer, none do. */

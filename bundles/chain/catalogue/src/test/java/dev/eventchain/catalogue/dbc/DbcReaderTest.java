@@ -136,6 +136,19 @@ class DbcReaderTest {
     return new DbcSignals(network, Optional.empty(), findings).all();
   }
 
+  /** Memory goes with the bits that signals have, and not with those of their messages. */
+  @Test
+  void aLargeMessageWithManyMultiplexedSignalsIsRead() {
+    StringBuilder text =
+        new StringBuilder("BO_ 1 Large: 65536 A\n SG_ Mux M : 0|16@1+ (1,0) [0|0] \"\" A\n");
+    for (int i = 0; i < 4_000; i++) {
+      text.append(" SG_ S%d m%d : 16|8@1+ (1,0) [0|0] \"\" A%n".formatted(i, i));
+    }
+    List<Diagnostic> found = new ArrayList<>();
+    assertEquals(4_001, signals(text.toString(), found::add).size());
+    assertEquals(List.of(), found);
+  }
+
   @Test
   void aFileThatIsNoTextIsFound() throws IOException {
     Path file = Files.write(folder.resolve("binary.dbc"), new byte[] {'B', 'O', 0, (byte) 0x81});
