@@ -110,14 +110,19 @@ class ReportInBrowserTest {
     return Files.writeString(page.resolveSibling("proved.html"), text);
   }
 
-  /** Adds to the data of each scenario what a storyboard would let happen. */
+  /**
+   * Adds to the data of each scenario what a storyboard would let happen, and a name for a value
+   * that no signal has.
+   */
   private static Path withStoryboard(Path page) throws IOException {
     String happened =
         "\"happened\":[{\"name\":\"target brakes\",\"kind\":\"event\",\"start\":1,\"end\":2.5},"
             + "{\"name\":\"the storyboard ends\",\"kind\":\"end\",\"start\":2.75}],\"series\":";
     String text = Files.readString(page);
     assertTrue(text.contains("\"series\":"));
-    return Files.writeString(page, text.replace("\"series\":", happened));
+    String named = "\"names\":[{\"value\":655.35,\"name\":\"not available\"}],\"values\":";
+    return Files.writeString(
+        page, text.replace("\"series\":", happened).replace("\"values\":", named));
   }
 
   /** Returns what the data of the page say and the page does not. */

@@ -27,11 +27,17 @@ function samplesOf(scenario) {
   const kept = times.map((time, index) => index).filter((index) => times[index] !== null);
   const panels = panelsOf(scenario).map((panel) => {
     const values = kept.map((index) => panel.values[index] ?? null);
-    return { ...panel, values, ceiling: ceilingOf(values, panel.limits), digits: digitsOf(values) };
+    return { ...panel, values, named: areNames(panel, values), ceiling: ceilingOf(values, panel.limits), digits: digitsOf(values) };
   });
   const before = record(record(scenario.before).series).time;
   return { time: kept.map((index) => times[index]), before: Array.isArray(before) ? before.map((time) => number(time) ?? 0) : null,
     panels: panels.filter((panel) => !isSteady(panel.values)), steady: panels.filter((panel) => isSteady(panel.values)) };
+}
+
+/** Returns whether most values have names: a speed with a name for "not available" is still a number. */
+function areNames(panel, values) {
+  const distinct = [...new Set(values.filter((value) => value !== null))];
+  return 2 * distinct.filter((value) => panel.names.has(value)).length > distinct.length;
 }
 
 /** What never changes has no plot. */
@@ -230,7 +236,7 @@ function drawScale(group, panel, scale, toY, frame, top) {
     const x = frame.toX(mark);
     group.append(svg("line", { class: "grid", x1: x, x2: x, y1: top + PLOT.title, y2: top + PLOT.title + PLOT.height }));
   }
-  if (panel.names.size > 0) {
+  if (panel.named) {
     return; // the value above the plot has its name, for which there is no room here
   }
   const marks = ticks(scale.low, scale.high, 3);
@@ -253,7 +259,7 @@ function drawCurve(samples, panel, toY, frame, top) {
     }
   }
   for (const points of stretches(samples.time, values, frame.toX, toY)) {
-    cut.append(svg("path", { class: "curve", d: pathOf(points, panel.names.size > 0 || isTruth(values)) }));
+    cut.append(svg("path", { class: "curve", d: pathOf(points, panel.named || isTruth(values)) }));
   }
   return cut;
 }
