@@ -59,7 +59,9 @@ class ReportInBrowserTest {
         "Storyboard: target brakes: 1.00\u00a0s to 2.50\u00a0s; the storyboard ends: 2.75\u00a0s";
     assertTrue(drawn.replace("&nbsp;", "\u00a0").contains("aria-label=\"" + spoken + "\""));
     String shown = text(drawn).replace('\u00a0', ' ').replaceAll("\\s+", " ");
-    assertTrue(shown.contains("Compared with the bound of 50 %: 3 of 8 faults of Brake."), shown);
+    assertTrue(
+        shown.contains("Compared with the bound of 50 %: 3 of 8 faults of Brake, a sample of 20."),
+        shown);
     assertTrue(shown.contains("No fault of Gap counts for the bound of 2.5 %."), shown);
     int height = height(browser.get(), page);
     assertTrue(height > 1_000 && height < MOST_PIXELS, height + " pixels");
@@ -99,7 +101,7 @@ class ReportInBrowserTest {
     String text = Files.readString(page);
     for (String bound :
         List.of(
-            "{\"minimumPercent\":50.0,\"components\":[\"Brake\"],\"noticed\":3,\"faults\":8}",
+            "{\"minimumPercent\":50.0,\"components\":[\"Brake\"],\"noticed\":3,\"faults\":8,\"sampleOf\":20}",
             "{\"minimumPercent\":2.5,\"components\":[\"Gap\"],\"noticed\":0,\"faults\":0}")) {
       String strength = "\"strength\":{\"noticed\":4,\"faults\":9,\"bound\":" + bound;
       text =

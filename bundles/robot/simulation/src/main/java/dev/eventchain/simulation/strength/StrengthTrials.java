@@ -239,7 +239,6 @@ public final class StrengthTrials {
             .flatMap(node -> trials.get(node).stream())
             .filter(trial -> asked.isEmpty() || asked.contains(trial.fault().topic()))
             .anyMatch(trial -> trial.isOmission() && trial.noticedAtAll());
-    int leftOut = (int) all().stream().filter(trial -> trial.leavesOut(id)).count();
     return new Strength.Requirement(
         id,
         components,
@@ -247,7 +246,7 @@ public final class StrengthTrials {
         asked,
         needed,
         nodes.stream().flatMap(node -> reactions(id, node)).toList(),
-        leftOut);
+        nodes.stream().flatMap(node -> leftOut(id, node)).toList());
   }
 
   private Stream<Strength.Reaction> reactions(String id, SoftwareNode node) {
@@ -259,6 +258,14 @@ public final class StrengthTrials {
                     .reaction(id)
                     .map(it -> it.withElsewhere(others.contains(trial.fault().topic())))
                     .stream());
+  }
+
+  private Stream<Strength.LeftOut> leftOut(String id, SoftwareNode node) {
+    Set<String> others = ofOthers(id, node);
+    return trials.get(node.getName()).stream()
+        .filter(trial -> trial.leavesOut(id))
+        .map(trial -> trial.fault().topic())
+        .map(topic -> new Strength.LeftOut(node.getName(), topic, others.contains(topic)));
   }
 
   private Set<String> ofOthers(String id, SoftwareNode node) {

@@ -51,7 +51,7 @@ public record Strength(
    *     sent on one of these outputs
    * @param reactions one for each fault that was tried and changed a message in one of its
    *     scenarios
-   * @param leftOut the number of further faults that may change one, but were not tried
+   * @param leftOut the further faults that may change one, but were not tried
    */
   public record Requirement(
       String id,
@@ -60,7 +60,7 @@ public record Strength(
       Set<String> outputs,
       boolean needed,
       List<Reaction> reactions,
-      int leftOut) {
+      List<LeftOut> leftOut) {
 
     /** Copies the lists. */
     public Requirement {
@@ -68,6 +68,7 @@ public record Strength(
       branches = branches.stream().map(List::copyOf).toList();
       outputs = Collections.unmodifiableSortedSet(new TreeSet<>(outputs));
       reactions = List.copyOf(reactions);
+      leftOut = List.copyOf(leftOut);
     }
 
     /** Returns the number of noticed faults. */
@@ -124,7 +125,9 @@ public record Strength(
           reactions.stream()
               .filter(each -> some.contains(each.component()) && !each.elsewhere())
               .toList(),
-          leftOut);
+          leftOut.stream()
+              .filter(each -> some.contains(each.component()) && !each.elsewhere())
+              .toList());
     }
 
     /** Returns the faults that were not noticed. */
@@ -132,6 +135,15 @@ public record Strength(
       return reactions.stream().filter(each -> !each.noticed()).toList();
     }
   }
+
+  /**
+   * A fault that may change a message in the scenarios of a requirement, but was not tried.
+   *
+   * @param component the component with the fault
+   * @param topic the topic of its output
+   * @param elsewhere true if faults of this output do not count, see {@link Reaction#elsewhere}
+   */
+  public record LeftOut(String component, String topic, boolean elsewhere) {}
 
   /**
    * The reaction of a requirement's criteria to a fault.

@@ -44,9 +44,15 @@ public record RequirementOutcome(
    * @param components the components whose faults count, in place of all that satisfy the
    *     requirement
    * @param noticed the number of noticed faults of these
-   * @param faults the number of all faults of these; 0 if none counts
+   * @param faults the number of all faults of these that were driven and count; 0 if none does
+   * @param sampleOf the number of all that may count, if not all were driven
    */
-  public record Bound(double minimumPercent, List<String> components, int noticed, int faults) {
+  public record Bound(
+      double minimumPercent,
+      List<String> components,
+      int noticed,
+      int faults,
+      OptionalLong sampleOf) {
 
     /** Copies the list. */
     public Bound {

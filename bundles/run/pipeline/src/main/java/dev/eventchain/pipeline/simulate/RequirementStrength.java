@@ -223,11 +223,16 @@ public final class RequirementStrength {
     return new RequirementOutcome.Strength(
         measured.noticed(),
         measured.faults(),
-        measured.leftOut() == 0
-            ? OptionalLong.empty()
-            : OptionalLong.of(measured.faults() + measured.leftOut()),
+        sampleOf(measured),
         bound(measured),
         measured.unnoticed().stream().map(RequirementStrength::unnoticed).toList());
+  }
+
+  /** Returns the number of all faults that may change something; empty if all were tried. */
+  private static OptionalLong sampleOf(Strength.Requirement measured) {
+    return measured.leftOut().isEmpty()
+        ? OptionalLong.empty()
+        : OptionalLong.of(measured.faults() + measured.leftOut().size());
   }
 
   /** Returns what counts for the bound of a requirement; empty if the project states none. */
@@ -235,7 +240,13 @@ public final class RequirementStrength {
     double minimum = settings.minimumOf(measured.id());
     Strength.Requirement counted = measured.counted();
     return minimum > 0
-        ? Optional.of(new Bound(minimum, counted.components(), counted.noticed(), counted.faults()))
+        ? Optional.of(
+            new Bound(
+                minimum,
+                counted.components(),
+                counted.noticed(),
+                counted.faults(),
+                sampleOf(counted)))
         : Optional.empty();
   }
 

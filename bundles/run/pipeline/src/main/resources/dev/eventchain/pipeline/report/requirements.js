@@ -106,9 +106,10 @@ function boundItem(bound) {
   }
   const names = list(bound.components).map(text).flatMap((name, index) => [index > 0 ? " and " : "", code(name)]);
   const percent = number(bound.minimumPercent);
+  const all = number(bound.sampleOf);
   const least = `the bound of ${figure(percent, Number.isInteger(percent) ? 0 : 1)} %`;
   return html("p", null, faults === 0 ? ["No fault of ", names, ` counts for ${least}.`]
-    : [`Compared with ${least}: ${whole(number(bound.noticed))} of ${count(faults, "fault")} of `, names, "."]);
+    : [`Compared with ${least}: ${whole(number(bound.noticed))} of ${count(faults, "fault")} of `, names, all === null ? "." : `, a sample of ${whole(all)}.`]);
 }
 
 /** Where a requirement is written, and what it is derived from. */

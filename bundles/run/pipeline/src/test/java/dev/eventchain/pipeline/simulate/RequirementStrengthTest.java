@@ -8,12 +8,16 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.project.StrengthSettings;
+import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.RequirementOutcome.Bound;
 import dev.eventchain.simulation.verdict.Strength;
+import dev.eventchain.simulation.verdict.Strength.LeftOut;
 import dev.eventchain.simulation.verdict.Strength.Reaction;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -135,16 +139,28 @@ class RequirementStrengthTest {
     List<Reaction> some = reactions("Brake", 4, 8);
     some.addAll(reactions("Radar", 0, 33));
     assertEquals(
-        Optional.of(new Bound(50, List.of("Brake"), 4, 8)),
+        Optional.of(new Bound(50, List.of("Brake"), 4, 8, OptionalLong.empty())),
         strength(upstream, Set.of(), some).of("BRK-1").orElseThrow().bound());
     RequirementStrength none = strength(upstream, Set.of(), reactions("Radar", 1, 5));
     assertEquals(
-        Optional.of(new Bound(50, List.of("Brake"), 0, 0)), none.of("BRK-1").orElseThrow().bound());
+        Optional.of(new Bound(50, List.of("Brake"), 0, 0, OptionalLong.empty())),
+        none.of("BRK-1").orElseThrow().bound());
     Diagnostic found = only(none);
     assertEquals("simulation.strength.low", found.id());
     assertTrue(
         found.message().startsWith("No standard fault of 'Brake' counts for the bound of BRK-1"),
         found.message());
+  }
+
+  /** A bound says of how many faults those are a sample that it is compared with. */
+  @Test
+  void whatCountsForABoundMayBeASample() {
+    Bound bound =
+        strength(true, reactions("Brake", 3, 6), 4)
+            .of("BRK-1")
+            .flatMap(RequirementOutcome.Strength::bound)
+            .orElseThrow();
+    assertEquals(new Bound(50, List.of("Brake"), 3, 6, OptionalLong.of(10)), bound);
   }
 
   @Test
@@ -157,7 +173,7 @@ class RequirementStrengthTest {
             Set.of(),
             true,
             reactions("Brake", 1, 8),
-            0);
+            List.of());
     RequirementStrength strength =
         new RequirementStrength(
             Optional.of(new Strength(List.of(measured), 8, 30, 8, 8)),
@@ -225,7 +241,13 @@ class RequirementStrengthTest {
     List<String> components = branches.stream().flatMap(List::stream).toList();
     Strength.Requirement requirement =
         new Strength.Requirement(
-            "BRK-1", components, branches, outputs, needed, reactions, leftOut);
+            "BRK-1",
+            components,
+            branches,
+            outputs,
+            needed,
+            reactions,
+            Collections.nCopies(leftOut, new LeftOut("Brake", "/brake", false)));
     int tried = reactions.size();
     Strength measured = new Strength(List.of(requirement), tried, 30, tried, tried + leftOut);
     WrittenRequirement written =
