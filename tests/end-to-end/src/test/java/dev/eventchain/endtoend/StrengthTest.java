@@ -122,7 +122,10 @@ class StrengthTest {
     }
   }
 
-  /** A budget too small for anything: only what would fail because of it is driven as a whole. */
+  /**
+   * A budget too small for anything: only what would fail because of it is driven as a whole, and a
+   * bound is compared with six faults that count for it.
+   */
   @InTurn
   @Test
   void strengthBelowWhatTheProjectAsksFor() throws IOException {
@@ -137,7 +140,10 @@ class StrengthTest {
         .says("INCOMPLETE: 1 of 1 scenarios passed")
         .says("[simulation.strength.low RAD-2]");
     assertFalse(requirement("RAD-2").path("strength").has("sampleOf"));
-    assertTrue(requirement("RAD-1").path("strength").has("sampleOf"));
+    JsonNode sample = requirement("RAD-1").path("strength");
+    assertTrue(sample.has("sampleOf"), sample.toString());
+    assertEquals(6, sample.at("/bound/faults").asInt(), sample.toString());
+    assertEquals(sample.path("sampleOf"), sample.at("/bound/sampleOf"), sample.toString());
     assertTrue(verdict().path("strength").asText().startsWith("a sample of "));
     Path other = folder.resolve("elsewhere");
     run("-o", other).expect(1);

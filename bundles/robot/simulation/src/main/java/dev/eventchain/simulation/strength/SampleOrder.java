@@ -1,11 +1,15 @@
 package dev.eventchain.simulation.strength;
 
 import dev.eventchain.simulation.fault.OutputFault;
+import dev.eventchain.simulation.verdict.Strength;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.BiPredicate;
 import java.util.function.Function;
 
 /**
@@ -35,6 +39,30 @@ final class SampleOrder {
       ordered.add(next);
     }
     return ordered;
+  }
+
+  /**
+   * Returns the first faults that may count for requirements with a bound, so many that none of
+   * them is compared with it on a few, in the same order.
+   *
+   * @param ordered the faults that were not tried, in their order
+   * @param requirements what counts for each bound so far
+   */
+  static <T> List<T> missing(
+      List<T> ordered,
+      List<Strength.Requirement> requirements,
+      BiPredicate<Strength.Requirement, T> counts) {
+    Set<T> chosen = new HashSet<>();
+    for (Strength.Requirement requirement : requirements) {
+      List<T> own = ordered.stream().filter(each -> counts.test(requirement, each)).toList();
+      long shared = own.stream().filter(chosen::contains).count();
+      own.stream()
+          .filter(each -> !chosen.contains(each))
+          .limit(Math.max(0, requirement.missing() - shared))
+          .toList()
+          .forEach(chosen::add);
+    }
+    return ordered.stream().filter(chosen::contains).toList();
   }
 
   /** Returns the order of those that are next: what has been taken least often comes first. */

@@ -10,6 +10,7 @@ import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.verdict.Strength;
 import dev.eventchain.simulation.verdict.StrengthBudget;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -124,16 +125,46 @@ public final class StrengthTrials {
   /**
    * Returns the next trials to drive, after all of the last round have ended; empty if all is
    * known. A fault of the sample is tried as it would be without a budget. Requirements that would
-   * not be tested because of the budget go on with the faults that it left out.
+   * not be tested because of the budget go on with the faults that it left out. Before each round,
+   * and whatever the budget is, those with a bound get enough faults tried that count for it.
    */
   public Optional<TrialRound<FaultTrial>> next() {
     last.ifPresent(round -> round.leftOut().forEach(FaultTrial::goBack));
     last = Optional.empty();
     while (last.isEmpty() && rounds < ROUNDS) {
-      rounds++;
-      last = Optional.of(round(rounds)).filter(round -> round.size() > 0);
+      TrialRound<FaultTrial> missing = missing();
+      last =
+          Optional.of(missing.size() > 0 ? missing : round(++rounds))
+              .filter(round -> round.size() > 0);
     }
     return last;
+  }
+
+  /** Returns the next trials for bounds that would be compared with a few faults. */
+  private TrialRound<FaultTrial> missing() {
+    List<Strength.Requirement> counted =
+        requirements().stream()
+            .filter(each -> budget.minimum().applyAsDouble(each.id()) > 0)
+            .map(Strength.Requirement::counted)
+            .toList();
+    List<FaultTrial> untried = sampleOrder().stream().filter(trial -> !trial.isTried()).toList();
+    List<FaultTrial> round = SampleOrder.missing(untried, counted, StrengthTrials::counts);
+    Set<String> every = ids(each -> true);
+    round.forEach(trial -> trial.aim(every, MOST_SCENARIOS));
+    return unlimited(round);
+  }
+
+  private static boolean counts(Strength.Requirement counted, FaultTrial trial) {
+    return trial.leavesOut(counted.id())
+        && counted.leftOut().stream()
+            .anyMatch(
+                each ->
+                    each.component().equals(trial.fault().node())
+                        && each.topic().equals(trial.fault().topic()));
+  }
+
+  private List<FaultTrial> sampleOrder() {
+    return SampleOrder.of(possible(), FaultTrial::fault);
   }
 
   private TrialRound<FaultTrial> round(int number) {
@@ -163,13 +194,21 @@ public final class StrengthTrials {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** Returns the trials that the budget allows, and those of omissions in any case. */
+  /**
+   * Returns the trials that the budget allows, and in any case those of omissions, and those that
+   * bounds needed, whose time counts.
+   */
   private TrialRound<FaultTrial> sample() {
-    List<FaultTrial> round = SampleOrder.of(possible(), FaultTrial::fault);
+    List<FaultTrial> round =
+        sampleOrder().stream().sorted(Comparator.comparing(trial -> !isInAnyCase(trial))).toList();
+    int always = (int) round.stream().filter(StrengthTrials::isInAnyCase).count();
     Set<String> every = ids(each -> true);
     round.forEach(trial -> trial.aim(every, MOST_SCENARIOS));
-    int always = (int) round.stream().filter(FaultTrial::isOmission).count();
     return new TrialRound<>(round, FaultTrial::seconds, always, budget.seconds());
+  }
+
+  private static boolean isInAnyCase(FaultTrial trial) {
+    return trial.isTried() || trial.isOmission();
   }
 
   /** Returns all trials that requirements may notice, in a number of scenarios of each. */

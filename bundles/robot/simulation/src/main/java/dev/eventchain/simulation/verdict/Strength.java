@@ -24,8 +24,11 @@ public record Strength(
 
   private static final double PERCENT = 100;
 
-  /** The number of faults of whole messages, which each output that changes has. */
-  private static final int ENOUGH = 6;
+  /**
+   * The least number of faults for a part of them to say something: that of the faults of whole
+   * messages, which each output that changes has.
+   */
+  public static final int ENOUGH = 6;
 
   /** Copies the list. */
   public Strength {
@@ -79,6 +82,11 @@ public record Strength(
     /** Returns the number of faults that were tried. */
     public int faults() {
       return reactions.size();
+    }
+
+    /** Returns the number of further faults to try so that a part of them says something. */
+    public int missing() {
+      return Math.min(Math.max(0, ENOUGH - faults()), leftOut.size());
     }
 
     /** Returns the noticed part of the faults that were tried, in percent. */
