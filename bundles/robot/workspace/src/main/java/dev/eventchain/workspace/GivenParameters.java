@@ -1,6 +1,7 @@
 package dev.eventchain.workspace;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -22,23 +23,6 @@ record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolea
 
   static final GivenParameters NONE = new GivenParameters(Map.of(), Set.of(), false);
 
-  /** Parameters by their names as they are assigned one after the other; a later one wins. */
-  private static final class Assigned {
-    final Map<String, Optional<JsonNode>> values = new LinkedHashMap<>();
-    final Set<String> unsure = new TreeSet<>();
-    boolean isOpen;
-
-    void add(ParameterAssignment each) {
-      if (each.name().isEmpty()) {
-        isOpen = true;
-        unsure.addAll(values.keySet());
-      } else {
-        values.put(each.name(), each.value());
-        unsure.remove(each.name());
-      }
-    }
-  }
-
   /**
    * Returns the parameters of a node. As of Humble, rclpy takes those for each node first and those
    * for a node's full name then; other names with wildcards are passed over. rclcpp takes what
@@ -50,49 +34,63 @@ record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolea
    */
   static GivenParameters of(
       List<ParameterAssignment> all, Optional<String> node, Consumer<String> ask) {
-    Assigned byName = new Assigned();
-    Assigned byOrder = new Assigned();
-    for (String nodes : List.of(ParameterAssignment.ALL, node.orElse(""))) {
-      all.stream().filter(each -> full(each.nodes()).equals(nodes)).forEach(byName::add);
-    }
+    List<ParameterAssignment> assigned = new ArrayList<>(all);
     Set<String> order = new LinkedHashSet<>();
     all.forEach(each -> order.add(each.nodes()));
-    for (String nodes : order) {
-      if (matches(nodes, node)) {
-        all.stream().filter(each -> each.nodes().equals(nodes)).forEach(byOrder::add);
-      }
-    }
     if (node.isEmpty() && order.stream().anyMatch(each -> !each.equals(ParameterAssignment.ALL))) {
       ask.accept(
           "Which parameters has this node, whose name is not known? " + LaunchParameters.SAY);
-      byOrder.add(ParameterAssignment.unknown());
+      assigned.add(ParameterAssignment.unknown());
     }
-    return merged(byName, byOrder, ask);
+    Map<String, ParameterAssignment> byName = new LinkedHashMap<>();
+    for (String nodes : List.of(ParameterAssignment.ALL, node.orElse(""))) {
+      assigned.stream()
+          .filter(each -> full(each.nodes()).equals(nodes))
+          .forEach(each -> byName.put(each.name(), each));
+    }
+    Map<String, ParameterAssignment> byOrder = new LinkedHashMap<>();
+    for (String nodes : order) {
+      if (matches(nodes, node)) {
+        assigned.stream()
+            .filter(each -> each.nodes().equals(nodes))
+            .forEach(each -> byOrder.put(each.name(), each));
+      }
+    }
+    return merged(assigned, byName, byOrder, ask);
   }
 
-  private static GivenParameters merged(Assigned first, Assigned second, Consumer<String> ask) {
+  private static GivenParameters merged(
+      List<ParameterAssignment> assigned,
+      Map<String, ParameterAssignment> first,
+      Map<String, ParameterAssignment> second,
+      Consumer<String> ask) {
+    int open = assigned.lastIndexOf(ParameterAssignment.unknown());
     Map<String, JsonNode> values = new LinkedHashMap<>();
-    Set<String> unknown = new TreeSet<>(first.unsure);
-    unknown.addAll(second.unsure);
-    Set<String> names = new LinkedHashSet<>(second.values.keySet());
-    names.addAll(first.values.keySet());
-    names.remove(LaunchParameters.SIMULATED);
+    Set<String> unknown = new TreeSet<>();
+    Set<String> names = new LinkedHashSet<>(second.keySet());
+    names.addAll(first.keySet());
+    names.removeAll(List.of("", LaunchParameters.SIMULATED));
     for (String name : names) {
-      Optional<JsonNode> one = first.values.getOrDefault(name, Optional.empty());
-      Optional<JsonNode> other = second.values.getOrDefault(name, Optional.empty());
+      Optional<JsonNode> one = value(first, name);
+      Optional<JsonNode> other = value(second, name);
       boolean isSame = one.map(Object::toString).equals(other.map(Object::toString));
-      if (isSame && one.isPresent()) {
-        values.put(name, one.get());
-        continue;
+      one.filter(it -> isSame).ifPresent(it -> values.put(name, it));
+      int last = assigned.lastIndexOf(first.get(name));
+      if (!values.containsKey(name)
+          || Math.min(last, assigned.lastIndexOf(second.get(name))) < open) {
+        unknown.add(name);
       }
-      unknown.add(name);
       if (!isSame) {
         ask.accept(
             "What is the parameter '%s' of this node: %s or %s? Versions of ROS 2 differ in which name of a node counts. %s"
                 .formatted(name, said(one), said(other), LaunchParameters.SAY));
       }
     }
-    return new GivenParameters(values, unknown, first.isOpen || second.isOpen);
+    return new GivenParameters(values, unknown, open >= 0);
+  }
+
+  private static Optional<JsonNode> value(Map<String, ParameterAssignment> from, String name) {
+    return Optional.ofNullable(from.get(name)).flatMap(ParameterAssignment::value);
   }
 
   private static String said(Optional<JsonNode> value) {

@@ -2,6 +2,7 @@ package dev.eventchain.workspace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.node.IntNode;
 import java.time.Duration;
@@ -34,6 +35,20 @@ class GivenParametersTest {
   })
   void wildcardsStandForPartsOfNames(String nodes, boolean matches) {
     assertEquals(matches ? Set.of("limit") : Set.of(), given(nodes, "/left/filter"));
+  }
+
+  /** A file that is not known may have a section for the node, too, whatever stands first. */
+  @ParameterizedTest
+  @CsvSource({"/node, false, true", "/node, true, false", "/**, false, true", "/**, true, false"})
+  void whatComesBeforeAnUnknownFileMayBeReplaced(String nodes, boolean isLast, boolean isUnknown) {
+    List<ParameterAssignment> all = new ArrayList<>();
+    all.add(new ParameterAssignment("/**", "rate", Optional.of(IntNode.valueOf(1))));
+    all.add(new ParameterAssignment(nodes, "limit", Optional.of(IntNode.valueOf(1))));
+    all.add(isLast ? 0 : all.size(), ParameterAssignment.unknown());
+    GivenParameters found = GivenParameters.of(all, Optional.of("/node"), new ArrayList<>()::add);
+    assertEquals(Set.of("rate", "limit"), found.values().keySet());
+    assertEquals(isUnknown, found.unknown().contains("limit"));
+    assertTrue(found.isOpen());
   }
 
   @Test
