@@ -164,9 +164,11 @@ class RulePagesTest {
   @Test
   void everyFindingIsShownByATest() throws IOException {
     Pattern tests = Pattern.compile(".*/src/(?:test|it)/.*|.*/robot/runtime/tests/.*\\.py");
-    String all =
-        String.join("\n", texts(BUNDLES, tests))
-            + String.join("\n", texts(Path.of("..", "end-to-end"), tests));
+    StringBuilder all = new StringBuilder();
+    for (Path folder :
+        List.of(BUNDLES, Path.of("..", "closed-loop"), Path.of("..", "end-to-end"))) {
+      texts(folder, tests).forEach(text -> all.append(text).append('\n'));
+    }
     Set<String> mentioned = new TreeSet<>();
     Matcher id = Pattern.compile("[a-z0-9]+(?:[.-][a-z0-9]+)+").matcher(all);
     while (id.find()) {

@@ -15,8 +15,7 @@ final class FormulaNames {
   private static final String FIELD = "(?<topic>(?:/[A-Za-z_]\\w*)+)\\.(?<path>[A-Za-z_][\\w.]*)";
   private static final Pattern COMPARED =
       Pattern.compile(
-          FIELD
-              + "\\s*[=!]=\\s*(?<quote>['\"]?)(?<begun>(?<=['\"])[^'\"=]*|[^'\"=\\s]*)$");
+          FIELD + "\\s*[=!]=\\s*(?<quote>['\"]?)(?<begun>(?<=['\"])[^'\"=]*|[^'\"=\\s]*)$");
   private static final Pattern READ = Pattern.compile(FIELD);
 
   private final ProjectFiles project;
