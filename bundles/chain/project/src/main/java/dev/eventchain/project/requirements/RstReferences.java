@@ -27,7 +27,7 @@ final class RstReferences {
   private static final Pattern TITLED = Pattern.compile("[^<>]*<([^<>]+)>");
   private static final List<String> SUFFIXES = List.of(".rst", ".md");
 
-  /** What Sphinx makes itself, and projects list among their documents. */
+  /** Documents that Sphinx makes itself, and that projects name like their own. */
   private static final Set<String> MADE = Set.of("self", "genindex", "modindex", "search");
 
   /** Greatest number of files that are looked through. */

@@ -87,8 +87,10 @@ final class TextKinds {
       if (isOfItems) {
         table.rows().forEach(row -> prove(columns.id(row), true));
       } else {
-        support(String.join(": ", table.header()));
-        table.rows().forEach(row -> support(String.join(": ", row.cells())));
+        table
+            .rows()
+            .forEach(
+                row -> support(String.join(row.cells().size() == 2 ? ": " : " ", row.cells())));
       }
     } else if (block instanceof TextBlock.Directive directive) {
       prove(directive.options().getOrDefault(reading.fields.id().orElse("id"), ""), true);
