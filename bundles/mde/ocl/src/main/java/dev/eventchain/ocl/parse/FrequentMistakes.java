@@ -83,6 +83,7 @@ public final class FrequentMistakes {
 
   private final SourceRange range;
   private final Tokens tokens;
+  private final Nesting nesting;
   private final List<Diagnostic> found = new ArrayList<>();
 
   /** For each if that is not closed yet, whether its last part is an else. */
@@ -93,6 +94,7 @@ public final class FrequentMistakes {
   private FrequentMistakes(SourceRange range) {
     this.range = range;
     this.tokens = new Tokens(range.text());
+    this.nesting = new Nesting(tokens);
   }
 
   /** Returns the mistakes in a part of a text, each an error at its place. */
@@ -123,7 +125,7 @@ public final class FrequentMistakes {
       add(at, unclosed(token));
     } else if (token.equals("[") && endsOperand(at - 1)) {
       add(at, new Mistake("Brackets select no element here.", "Write ->at(1) for the first."));
-    } else if (token.equals(";") && depth() == 0) {
+    } else if (token.equals(";") && nesting.depth(at) == 0) {
       add(at, new Mistake("';' does not end an expression.", "Leave it out."));
     } else if (INFIX.contains(token) && endsOperand(at - 1) && startsOperand(at + 1)) {
       add(at, infix(token));
@@ -223,32 +225,7 @@ public final class FrequentMistakes {
 
   /** Returns whether a name is followed by parentheses with a bar directly inside. */
   private boolean isIteration(int name) {
-    int depth = 0;
-    for (int i = name + 1; tokens.isName(name) && i < tokens.size(); i++) {
-      depth += opens(i) ? 1 : closes(i) ? -1 : 0;
-      if (depth <= 0) {
-        return false;
-      } else if (depth == 1 && tokens.is(i, "|")) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private boolean opens(int index) {
-    return tokens.is(index, "(") || tokens.is(index, "{");
-  }
-
-  private boolean closes(int index) {
-    return tokens.is(index, ")") || tokens.is(index, "}");
-  }
-
-  private int depth() {
-    int depth = 0;
-    for (int i = 0; i < at; i++) {
-      depth += opens(i) ? 1 : closes(i) ? -1 : 0;
-    }
-    return depth;
+    return tokens.isName(name) && nesting.hasBar(name + 1);
   }
 
   private boolean endsOperand(int index) {
@@ -256,7 +233,7 @@ public final class FrequentMistakes {
         && (isOperandWord(index)
             || tokens.is(index, "endif")
             || tokens.isString(index)
-            || closes(index));
+            || Nesting.closes(tokens, index));
   }
 
   private boolean startsOperand(int index) {
