@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
  * its declared outcome, and none crashes. The mutants are the same each time.
  */
 class MutationTest {
-  private static final int MUTANTS = Integer.getInteger("mutants", 500);
+  private static final int MUTANTS = Integer.getInteger("mutants", 250);
 
   /**
    * Shares of all mutants: components are called in processes, and constraints proved on many
