@@ -3,6 +3,7 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.InTurn;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,6 +20,7 @@ class RobotTest {
 
   @TempDir private Path folder;
 
+  @InTurn
   @Test
   void theParametersOfARobotsGuardDecide() throws IOException {
     Path project = folder.resolve("guard");
