@@ -2,7 +2,6 @@ package dev.eventchain.lsp;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.TextRange;
@@ -34,6 +33,9 @@ class RandomEditsTest {
 
   private static final long MOST_GROWTH = 64L << 20;
 
+  /** How often memory is looked at before it counts as held for ever. */
+  private static final int ATTEMPTS = 300;
+
   private static final List<String> PIECES =
       List.of("", "[", "]", "/]", "[if (", "'", "\n", "\r\n", "self.", "->", "(", ")", "x", "🚀");
 
@@ -61,11 +63,11 @@ class RandomEditsTest {
     try (TestSession session = new TestSession(folder)) {
       EditorClient client = session.client;
       List<Diagnostic> before = client.await(file, each -> !each.isEmpty());
+      long used = used();
       String original = Files.readString(file);
       client.open(file, original);
       StringBuilder text = new StringBuilder(original);
       Deque<Undo> undone = new ArrayDeque<>();
-      long used = 0;
       for (int i = 0; i < EDITS; i++) {
         int start = whole(text, random.nextInt(text.length() + 1));
         int end = whole(text, Math.min(text.length(), start + random.nextInt(4)));
@@ -75,18 +77,14 @@ class RandomEditsTest {
         if (i % PAUSE == PAUSE / 2) {
           ask(client, file, new TextLines(text.toString()), start);
         }
-        if (i == EDITS / 4) {
-          used = used();
-        }
       }
-      long grown = used() - used;
       while (!undone.isEmpty()) {
         Undo undo = undone.pop();
         replace(client, file, text, undo.start(), undo.end(), undo.text());
       }
       assertEquals(original, text.toString());
       client.await(file, before::equals);
-      assertTrue(grown < MOST_GROWTH, grown + " bytes more");
+      assertEquals(0, lastingGrowth(used), "bytes more");
     }
   }
 
@@ -127,6 +125,20 @@ class RandomEditsTest {
     for (int i = 0; i < 20 && client.publicationsOf(file) == shown; i++) {
       Thread.sleep(50);
     }
+  }
+
+  /**
+   * Returns how many bytes more than those used before are still held, 0 if not worth a word. What
+   * is being looked through at the moment is let go of soon, however busy the machine is; what
+   * leaks never is.
+   */
+  private static long lastingGrowth(long before) throws InterruptedException {
+    long grown = used() - before;
+    for (int i = 0; i < ATTEMPTS && grown >= MOST_GROWTH; i++) {
+      Thread.sleep(100);
+      grown = used() - before;
+    }
+    return grown < MOST_GROWTH ? 0 : grown;
   }
 
   private static long used() {
