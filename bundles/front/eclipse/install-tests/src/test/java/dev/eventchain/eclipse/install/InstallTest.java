@@ -44,6 +44,23 @@ class InstallTest {
     assertEquals(new TreeMap<>(), unusable(after));
   }
 
+  /** An Eclipse may lack all bundles that are not its own. */
+  @Test
+  void theSiteBringsWhatOurBundlesNeedAndIsNotOfEclipse() throws Exception {
+    Installation workbench = new Installation(Built.WORKBENCH, scratch);
+    SortedSet<String> missing = new TreeSet<>();
+    try (Wiring wiring = new Wiring(workbench.bundles(), scratch.resolve("framework"))) {
+      for (String name : Built.ours()) {
+        assertEquals("", wiring.unresolved(name), name);
+        missing.addAll(wiring.providers(name));
+      }
+    }
+    assertTrue(missing.removeAll(Built.theirs()), "nothing of others is wired");
+    missing.removeAll(Built.ours());
+    missing.removeIf(name -> name.startsWith("org.eclipse."));
+    assertEquals(Set.of(), missing);
+  }
+
   @Test
   void theSiteIsSmall() throws IOException {
     try (Stream<Path> files = Files.walk(Built.SITE)) {

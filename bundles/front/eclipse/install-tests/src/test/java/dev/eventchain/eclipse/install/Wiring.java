@@ -20,6 +20,8 @@ import org.osgi.framework.BundleException;
 import org.osgi.framework.Constants;
 import org.osgi.framework.launch.Framework;
 import org.osgi.framework.launch.FrameworkFactory;
+import org.osgi.framework.wiring.BundleWire;
+import org.osgi.framework.wiring.BundleWiring;
 import org.osgi.framework.wiring.FrameworkWiring;
 
 /** A framework that resolves the bundles of an installation without starting them. */
@@ -62,6 +64,15 @@ final class Wiring implements AutoCloseable {
       return e.getMessage();
     }
     return "started, although it was not resolved";
+  }
+
+  /** Returns the symbolic names of the bundles that a resolved bundle is wired to. */
+  SortedSet<String> providers(String name) {
+    SortedSet<String> providers = new TreeSet<>();
+    for (BundleWire wire : bundles.get(name).adapt(BundleWiring.class).getRequiredWires(null)) {
+      providers.add(wire.getProvider().getSymbolicName());
+    }
+    return providers;
   }
 
   /** Returns the classes of ours that a bundle's extensions name. */
