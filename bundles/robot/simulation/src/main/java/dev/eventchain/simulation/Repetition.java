@@ -7,7 +7,6 @@ import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.simulation.bench.TypedTopic;
 import dev.eventchain.simulation.chain.SimulatedChain;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.run.MessageLog;
 import dev.eventchain.simulation.run.MessageLog.Difference;
 import dev.eventchain.simulation.run.MessageLog.Message;
@@ -17,6 +16,7 @@ import dev.eventchain.simulation.world.World;
 import java.lang.reflect.Array;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -89,9 +89,12 @@ final class Repetition {
             .orElseThrow();
     String writer = chain.writer(earliest.topic());
     String what =
-        RootLocale.format(
+        String.format(
+            Locale.ROOT,
             "'%s' did not repeat itself after %.3f s: %s",
-            writer, World.seconds(earliest.time()), words(difference, earliest));
+            writer,
+            World.seconds(earliest.time()),
+            words(difference, earliest));
     return finding(what, writer);
   }
 

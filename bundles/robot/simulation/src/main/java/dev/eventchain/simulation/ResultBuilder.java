@@ -8,7 +8,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.chain.SimulatedChain;
 import dev.eventchain.simulation.fault.Fault;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.host.HostRules;
 import dev.eventchain.simulation.host.RunLog.Activation;
 import dev.eventchain.simulation.judge.AttachedFindings;
@@ -30,6 +29,7 @@ import dev.eventchain.simulation.world.World;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
@@ -219,7 +219,8 @@ final class ResultBuilder {
   private static Diagnostic impact(ScenarioRun run) {
     return Diagnostic.of(
             SimulationRules.SIMULATION_IMPACT_UNJUDGED,
-            RootLocale.format(
+            String.format(
+                Locale.ROOT,
                 "Scenario %s ended after %.2f s of %.2f s by an impact at %.1f km/h that no criterion"
                     + " is about: %s.",
                 run.scenario().name(),
@@ -246,7 +247,8 @@ final class ResultBuilder {
   private static Diagnostic fromBehind(ScenarioRun run, Contact contact) {
     return Diagnostic.of(
             SimulationRules.SIMULATION_EGO_HIT_FROM_BEHIND,
-            RootLocale.format(
+            String.format(
+                Locale.ROOT,
                 "Scenario %s: %s at %.1f km/h after %.2f s.",
                 run.scenario().name(),
                 contact.words(),

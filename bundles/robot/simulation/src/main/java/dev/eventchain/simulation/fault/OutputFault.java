@@ -3,7 +3,6 @@ package dev.eventchain.simulation.fault;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import dev.eventchain.simulation.formula.RootLocale;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.nio.charset.StandardCharsets;
@@ -111,6 +110,6 @@ public record OutputFault(
   private static String number(double value) {
     return Double.isFinite(value)
         ? new BigDecimal(value).round(new MathContext(4)).stripTrailingZeros().toPlainString()
-        : RootLocale.format("%f", value);
+        : String.format(Locale.ROOT, "%f", value);
   }
 }

@@ -1,7 +1,5 @@
 package dev.eventchain.simulation.formula;
 
-import static dev.eventchain.simulation.formula.RootLocale.format;
-
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Limit;
@@ -12,6 +10,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -199,9 +198,11 @@ public final class Formula {
         .orElseGet(
             () ->
                 Outcome.undecided(
-                    format(
+                    String.format(
+                        Locale.ROOT,
                         "the run ended %s%s, before it was decided",
-                        after(run, run.size() - 1), byAnImpact(run.trace()))));
+                        after(run, run.size() - 1),
+                        byAnImpact(run.trace()))));
   }
 
   private static String byAnImpact(Trace trace) {
@@ -209,7 +210,8 @@ public final class Formula {
   }
 
   private static Outcome valueless(Condition.Comparison comparison, SampledRun run, int sample) {
-    String text = format("'%s' has no value %s", comparison.text(), after(run, sample));
+    String text =
+        String.format(Locale.ROOT, "'%s' has no value %s", comparison.text(), after(run, sample));
     List<Signal> silent =
         comparison
             .signals()
@@ -259,7 +261,8 @@ public final class Formula {
       String when = after(run, decision.sample());
       return new Outcome(
           passed,
-          format(
+          String.format(
+              Locale.ROOT,
               "'%s' %s %s",
               comparison.text(),
               holds ? "holds" : passed ? "is false" : "is missed",
@@ -269,7 +272,8 @@ public final class Formula {
     String unit = comparison.left().commonUnit(comparison.right());
     double margin = Robustness.margin(decision.truth());
     String text =
-        format(
+        String.format(
+            Locale.ROOT,
             "'%s' %s %s %s",
             comparison.text(),
             holds ? "holds by" : passed ? "is false by" : "is missed by",
@@ -280,7 +284,7 @@ public final class Formula {
   }
 
   private static String after(SampledRun run, int sample) {
-    return format("after %.2f s", run.seconds(sample));
+    return String.format(Locale.ROOT, "after %.2f s", run.seconds(sample));
   }
 
   private static double inUnit(double margin, String unit) {

@@ -5,6 +5,7 @@ import dev.eventchain.simulation.formula.FormulaTokens.Kind;
 import dev.eventchain.simulation.formula.FormulaTokens.Token;
 import dev.eventchain.simulation.world.World;
 import java.util.IdentityHashMap;
+import java.util.Locale;
 
 /** Parses the intervals of a formula, and checks that a scenario can reach them. */
 final class IntervalParser {
@@ -83,7 +84,7 @@ final class IntervalParser {
   }
 
   private String lasts() {
-    return RootLocale.format("The scenario lasts at most %s s.", duration);
+    return String.format(Locale.ROOT, "The scenario lasts at most %s s.", duration);
   }
 
   /** Rejects nested intervals that together reach beyond the end of the scenario. */
@@ -113,7 +114,8 @@ final class IntervalParser {
       if (end * World.TRACE_STEP > World.nanoseconds(duration) && places.containsKey(interval)) {
         throw tokens.syntax(
             places.get(interval),
-            RootLocale.format(
+            String.format(
+                Locale.ROOT,
                 "With the intervals around it, it reaches %s s after the start.",
                 World.seconds(end * World.TRACE_STEP)),
             lasts());

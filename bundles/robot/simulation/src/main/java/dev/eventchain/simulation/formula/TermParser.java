@@ -8,6 +8,7 @@ import dev.eventchain.simulation.formula.FormulaTokens.Kind;
 import dev.eventchain.simulation.formula.FormulaTokens.Token;
 import dev.eventchain.simulation.world.World;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
@@ -208,7 +209,8 @@ final class TermParser {
     if (seconds < STEP - 1e-9 || seconds > longest) {
       throw tokens.syntax(
           place,
-          RootLocale.format("It is from %s s to the %s s that the scenario lasts.", STEP, longest),
+          String.format(
+              Locale.ROOT, "It is from %s s to the %s s that the scenario lasts.", STEP, longest),
           "");
     }
     return inner.derivative((int) Math.round(seconds / STEP));

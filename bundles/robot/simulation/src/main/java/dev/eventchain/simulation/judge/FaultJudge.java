@@ -5,7 +5,6 @@ import dev.eventchain.simulation.chain.SimulatedChain;
 import dev.eventchain.simulation.fault.Fault;
 import dev.eventchain.simulation.fault.Fault.Detected;
 import dev.eventchain.simulation.formula.Outcome;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.host.UserFiles;
 import dev.eventchain.simulation.run.FaultRun;
 import dev.eventchain.simulation.run.ScenarioRun;
@@ -19,6 +18,7 @@ import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -76,9 +76,9 @@ public final class FaultJudge {
     double end = World.seconds(faulty.run().trace().end().time());
     if (!effective) {
       return fault.start() >= faulty.run().trace().end().time()
-          ? RootLocale.format("the run ended after %.2f s", end)
+          ? String.format(Locale.ROOT, "the run ended after %.2f s", end)
           : fault.kind().isAboutMessages()
-              ? RootLocale.format("no message came on %s in that time", fault.target())
+              ? String.format(Locale.ROOT, "no message came on %s in that time", fault.target())
               : "there was nothing that it could change";
     }
     long count = faulty.affected();
@@ -151,7 +151,8 @@ public final class FaultJudge {
 
   private static String text(Detected wanted) {
     return wanted.within().isPresent()
-        ? RootLocale.format("the fault is detected within %.2f s", wanted.within().getAsDouble())
+        ? String.format(
+            Locale.ROOT, "the fault is detected within %.2f s", wanted.within().getAsDouble())
         : "the fault is detected";
   }
 
@@ -176,8 +177,11 @@ public final class FaultJudge {
 
   private static String measured(Detection detection, double start) {
     return detection.time().isPresent()
-        ? RootLocale.format(
-            "%s, %.2f s after its start", detection.words(), detection.time().getAsDouble() - start)
+        ? String.format(
+            Locale.ROOT,
+            "%s, %.2f s after its start",
+            detection.words(),
+            detection.time().getAsDouble() - start)
         : detection.words() + ", at an unknown time";
   }
 

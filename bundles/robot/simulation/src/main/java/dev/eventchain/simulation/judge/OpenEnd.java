@@ -3,7 +3,6 @@ package dev.eventchain.simulation.judge;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.simulation.formula.Outcome;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.scenario.Criterion;
 import dev.eventchain.simulation.scenario.Expectation;
@@ -11,6 +10,7 @@ import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -117,9 +117,11 @@ record OpenEnd(Actor ahead, double gap, double after, double speed) {
 
   /** Returns it in words, for the outcome of a criterion. */
   String words() {
-    return RootLocale.format(
+    return String.format(
+        Locale.ROOT,
         "the run ended %.2f s before the ego would hit %s, as both moved then",
-        after, ahead.name());
+        after,
+        ahead.name());
   }
 
   /** Returns the finding that an outcome is a consequence of, if a run leaves a contact open. */
@@ -148,7 +150,8 @@ record OpenEnd(Actor ahead, double gap, double after, double speed) {
     Trace.State end = run.trace().end();
     return Diagnostic.of(
             JudgeRules.SIMULATION_END_OPEN,
-            RootLocale.format(
+            String.format(
+                Locale.ROOT,
                 "Scenario %s ended after %.2f s while the ego came nearer to %s: %.2f m ahead, %.1f"
                     + " km/h slower. As both moved then, it would be hit %.2f s later, so that no"
                     + " impact proves nothing.",

@@ -5,7 +5,6 @@ import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.LatencyKind;
 import dev.eventchain.simulation.chain.SimulatedChain;
 import dev.eventchain.simulation.formula.Outcome;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.host.RunLog;
 import dev.eventchain.simulation.measure.ChainLatency;
@@ -24,6 +23,7 @@ import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -242,12 +242,16 @@ public final class ScenarioJudge {
     if (criterion instanceof Criterion && trace.isCut()) {
       return Optional.of(
           Outcome.undecided(
-              RootLocale.format(
+              String.format(
+                  Locale.ROOT,
                   "the run ended after %.2f s of %.2f s by an impact (%s)",
-                  end, run.scenario().duration(), trace.impact())));
+                  end,
+                  run.scenario().duration(),
+                  trace.impact())));
     }
     return trace.end().time() < SHORTEST && trace.impactSpeed().isEmpty()
-        ? Optional.of(Outcome.untested(RootLocale.format("the run lasts %.2f s only", end)))
+        ? Optional.of(
+            Outcome.untested(String.format(Locale.ROOT, "the run lasts %.2f s only", end)))
         : Optional.empty();
   }
 
@@ -261,8 +265,8 @@ public final class ScenarioJudge {
 
   private static Outcome overrun(ScenarioRun run) {
     return Outcome.untested(
-        RootLocale.format(
-            "this machine was %.0f ms behind the clock", run.overrun() / MILLISECOND));
+        String.format(
+            Locale.ROOT, "this machine was %.0f ms behind the clock", run.overrun() / MILLISECOND));
   }
 
   static CriterionResult result(Scenario scenario, Expectation criterion, Outcome outcome) {

@@ -5,7 +5,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.chain.SimulatedChain;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.host.RunLog;
 import dev.eventchain.simulation.host.RunLog.Activation;
 import dev.eventchain.simulation.host.RunLog.SampleId;
@@ -13,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -126,7 +126,8 @@ public final class Silence {
                             quoted(name),
                             String.join(", ", TopicIndex.synchronizedBy(node)),
                             node.isSetTolerance()
-                                ? RootLocale.format(
+                                ? String.format(
+                                    Locale.ROOT,
                                     "stamps that differ by less than the tolerance of %s ms",
                                     node.getTolerance())
                                 : "equal stamps"),

@@ -7,7 +7,6 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.chain.SimulatedChain;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.host.RunLog.Answer;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
@@ -15,6 +14,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -126,7 +126,8 @@ public final class ValueLatencies {
     String name = late.node().getName();
     return Diagnostic.of(
             MeasureRules.VALUE_LATE,
-            RootLocale.format(
+            String.format(
+                Locale.ROOT,
                 "The value latency of '%s' is %.0f ms from '%s' (%s) to '%s' (%s): that much later"
                     + " than its messages say it answered %d changes of the value, and none sooner.",
                 name,

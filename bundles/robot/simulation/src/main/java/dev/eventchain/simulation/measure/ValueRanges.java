@@ -6,7 +6,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.Signal;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.chain.SimulatedChain;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.world.Trace.Outside;
 import dev.eventchain.simulation.world.World;
@@ -14,6 +13,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /** Findings on values that the signals of the vehicle never have, as their catalogue says. */
@@ -45,7 +45,8 @@ public final class ValueRanges {
     Outside value = first.value();
     boolean written = chain.topicsWritten().contains(value.topic());
     String message =
-        RootLocale.format(
+        String.format(
+            Locale.ROOT,
             "Scenario %s: %s '%s' as '%s' of %s after %.2f s, but its signal %s.",
             first.scenario(),
             written ? "the software wrote" : "the simulated vehicle sent",

@@ -1,13 +1,12 @@
 package dev.eventchain.simulation.scenario;
 
-import static dev.eventchain.simulation.formula.RootLocale.format;
-
 import dev.eventchain.simulation.formula.Outcome;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 
@@ -50,11 +49,13 @@ final class BrakingRules {
                 .anyMatch(s -> s.timeToCollision() >= limit && s.speed() >= SLOWEST);
     return tested
         ? kept(firstText(trace, kind), least)
-        : Outcome.untested(format("TTC was never %.1f s or more", criterion.limit()));
+        : Outcome.untested(
+            String.format(Locale.ROOT, "TTC was never %.1f s or more", criterion.limit()));
   }
 
   private static String wrong(Trace trace, Trace.Command command) {
-    return format(
+    return String.format(
+        Locale.ROOT,
         "brake %.2f commanded after %.2f s at TTC %s",
         command.pedal(),
         World.seconds(command.time()),
@@ -122,13 +123,18 @@ final class BrakingRules {
     }
     return least.isPresent()
         ? kept(firstText(trace, kind), least)
-        : Outcome.untested(format("TTC was never below %.1f s long enough", criterion.limit()));
+        : Outcome.untested(
+            String.format(
+                Locale.ROOT, "TTC was never below %.1f s long enough", criterion.limit()));
   }
 
   private static String tooLittle(Trace.Command inForce, Trace.State state) {
-    return format(
+    return String.format(
+        Locale.ROOT,
         "only brake %.2f after %.2f s at TTC %s",
-        inForce.pedal(), World.seconds(state.time()), seconds(state.timeToCollision()));
+        inForce.pedal(),
+        World.seconds(state.time()),
+        seconds(state.timeToCollision()));
   }
 
   static Outcome commandsArrive(Trace trace) {
@@ -144,8 +150,12 @@ final class BrakingRules {
     }
     Margin margin = seconds(World.seconds(LONGEST_SILENCE - longest), from);
     return longest > LONGEST_SILENCE || trace.commands().isEmpty()
-        ? new Outcome(false, format("no command after %.2f s", World.seconds(from)), margin)
-        : new Outcome(true, format("%d commands", trace.commands().size()), margin);
+        ? new Outcome(
+            false,
+            String.format(Locale.ROOT, "no command after %.2f s", World.seconds(from)),
+            margin)
+        : new Outcome(
+            true, String.format(Locale.ROOT, "%d commands", trace.commands().size()), margin);
   }
 
   private static String firstText(Trace trace, Predicate<Trace.Command> kind) {
@@ -154,7 +164,8 @@ final class BrakingRules {
         .findFirst()
         .map(
             command ->
-                format(
+                String.format(
+                    Locale.ROOT,
                     "first after %.2f s at TTC %s",
                     World.seconds(command.time()),
                     seconds(trace.stateAt(command.time()).timeToCollision())))
@@ -162,6 +173,6 @@ final class BrakingRules {
   }
 
   private static String seconds(double value) {
-    return Double.isFinite(value) ? format("%.2f s", value) : "infinity";
+    return Double.isFinite(value) ? String.format(Locale.ROOT, "%.2f s", value) : "infinity";
   }
 }

@@ -3,9 +3,9 @@ package dev.eventchain.simulation.scenario;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
-import dev.eventchain.simulation.formula.RootLocale;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** Reads the section {@code accept} of a scenario. */
 public final class CriteriaReader {
@@ -90,9 +90,11 @@ public final class CriteriaReader {
             each ->
                 section.find(
                     ScenarioRules.VALUE_RANGE,
-                    RootLocale.format(
+                    String.format(
+                        Locale.ROOT,
                         "A tolerance of %.1f s leaves nothing of the limit of %.1f s.",
-                        tolerances.timeToCollision(), each.limit()),
+                        tolerances.timeToCollision(),
+                        each.limit()),
                     section.at("tolerance_ttc_s")));
   }
 

@@ -1,12 +1,11 @@
 package dev.eventchain.simulation.scenario;
 
-import static dev.eventchain.simulation.formula.RootLocale.format;
-
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.simulation.formula.Outcome;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Limit;
 import dev.eventchain.simulation.world.Trace;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 
 /**
@@ -109,13 +108,18 @@ public record Criterion(
     return switch (kind) {
       case NO_IMPACT -> "no impact";
       case STOPS -> "the vehicle stops";
-      case MINIMAL_GAP -> format("the gap is never below %.2f m", limit);
-      case MAXIMAL_IMPACT_SPEED -> format("any impact is at %.1f km/h or less", limit * 3.6);
+      case MINIMAL_GAP -> String.format(Locale.ROOT, "the gap is never below %.2f m", limit);
+      case MAXIMAL_IMPACT_SPEED ->
+          String.format(Locale.ROOT, "any impact is at %.1f km/h or less", limit * 3.6);
       case NEVER_BRAKES -> "no braking at all";
-      case NO_BRAKE_AT_TTC -> format("no braking while TTC is %.1f s or more", limit);
-      case BRAKE_BELOW_TTC -> format("braking while TTC is below %.1f s", limit);
-      case NO_FULL_BRAKE_AT_TTC -> format("no full braking while TTC is %.1f s or more", limit);
-      case FULL_BRAKE_BELOW_TTC -> format("full braking while TTC is below %.1f s", limit);
+      case NO_BRAKE_AT_TTC ->
+          String.format(Locale.ROOT, "no braking while TTC is %.1f s or more", limit);
+      case BRAKE_BELOW_TTC ->
+          String.format(Locale.ROOT, "braking while TTC is below %.1f s", limit);
+      case NO_FULL_BRAKE_AT_TTC ->
+          String.format(Locale.ROOT, "no full braking while TTC is %.1f s or more", limit);
+      case FULL_BRAKE_BELOW_TTC ->
+          String.format(Locale.ROOT, "full braking while TTC is below %.1f s", limit);
       case BRAKE_NORMALIZED -> "brake commands are from 0 to 1";
       case COMMANDS_ARRIVE -> "control commands arrive at least once a second";
     };

@@ -1,12 +1,11 @@
 package dev.eventchain.simulation.scenario;
 
-import static dev.eventchain.simulation.formula.RootLocale.format;
-
 import dev.eventchain.simulation.formula.Outcome;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
 import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.World;
 import java.util.Comparator;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
@@ -36,9 +35,12 @@ final class ImpactRules {
   }
 
   private static String impactText(Trace trace, double speed) {
-    return format(
+    return String.format(
+        Locale.ROOT,
         "impact at %.1f km/h after %.2f s: %s",
-        speed * 3.6, World.seconds(trace.end().time()), trace.impact());
+        speed * 3.6,
+        World.seconds(trace.end().time()),
+        trace.impact());
   }
 
   /** Returns a note on rear impacts, which do not count as impacts of the ego. */
@@ -46,9 +48,12 @@ final class ImpactRules {
     return trace.fromBehind().stream()
         .map(
             each ->
-                format(
+                String.format(
+                    Locale.ROOT,
                     "; %s at %.1f km/h after %.2f s",
-                    each.words(), each.speed() * 3.6, World.seconds(each.time())))
+                    each.words(),
+                    each.speed() * 3.6,
+                    World.seconds(each.time())))
         .collect(Collectors.joining());
   }
 
@@ -64,7 +69,7 @@ final class ImpactRules {
   }
 
   private static String gapText(Trace trace) {
-    return format("smallest gap %.2f m", trace.minimalGap().orElseThrow());
+    return String.format(Locale.ROOT, "smallest gap %.2f m", trace.minimalGap().orElseThrow());
   }
 
   static Outcome stops(Trace trace) {
@@ -79,7 +84,7 @@ final class ImpactRules {
       String text = impactText(trace, trace.impactSpeed().getAsDouble());
       return new Outcome(false, text, atTheEnd(trace, -speed));
     }
-    String text = format("speed at the end %.1f km/h", speed * 3.6);
+    String text = String.format(Locale.ROOT, "speed at the end %.1f km/h", speed * 3.6);
     return speed == 0.0
         ? new Outcome(true, text)
         : new Outcome(false, text, atTheEnd(trace, -speed));
@@ -113,9 +118,11 @@ final class ImpactRules {
     return first.isPresent()
         ? new Outcome(
             false,
-            format(
+            String.format(
+                Locale.ROOT,
                 "brake %.2f commanded after %.2f s",
-                first.get().pedal(), World.seconds(first.get().time())),
+                first.get().pedal(),
+                World.seconds(first.get().time())),
             margin(first.get(), -first.get().pedal()))
         : new Outcome(true, "never braked");
   }
@@ -133,11 +140,14 @@ final class ImpactRules {
       if (!(command.pedal() >= 0.0 && command.pedal() <= 1.0)) {
         return new Outcome(
             false,
-            format(
-                "brake %s commanded after %.2f s", command.pedal(), World.seconds(command.time())),
+            String.format(
+                Locale.ROOT,
+                "brake %s commanded after %.2f s",
+                command.pedal(),
+                World.seconds(command.time())),
             margin(command, Math.min(command.pedal(), 1.0 - command.pedal())));
       }
     }
-    return new Outcome(true, format("%d commands", trace.commands().size()));
+    return new Outcome(true, String.format(Locale.ROOT, "%d commands", trace.commands().size()));
   }
 }

@@ -5,13 +5,13 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.world.LateralProfile;
 import dev.eventchain.simulation.world.Maneuver;
 import dev.eventchain.simulation.world.SpeedProfile;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -130,7 +130,8 @@ final class ManeuversReader {
     double time = maneuver.requiredNumber(AT, NumberRange.of(0, duration));
     boolean isNumber = maneuver.value(AT).map(JsonNode::isNumber).orElse(false);
     if (isNumber && time < earliest) {
-      String message = RootLocale.format("The previous one does not end until %.2f s.", earliest);
+      String message =
+          String.format(Locale.ROOT, "The previous one does not end until %.2f s.", earliest);
       maneuver.find(RANGE_FINDING, message, maneuver.at(AT));
     }
     return time;

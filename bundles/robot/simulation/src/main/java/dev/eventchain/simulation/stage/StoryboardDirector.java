@@ -10,7 +10,6 @@ import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import dev.eventchain.openscenario.storyboard.world.Progress;
 import dev.eventchain.openscenario.storyboard.world.Visibility;
-import dev.eventchain.simulation.formula.RootLocale;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.Director;
@@ -22,6 +21,7 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -154,9 +154,11 @@ final class StoryboardDirector implements Director {
           DiagnosticException.Reason.INPUT,
           Diagnostic.of(
                   StageRules.EGO_MOVED,
-                  RootLocale.format(
+                  String.format(
+                      Locale.ROOT,
                       "After %.2f s, the storyboard puts %s at another place.",
-                      run.time(), ego.name()),
+                      run.time(),
+                      ego.name()),
                   ego.written().location())
               .withHint("Place it in Init: a vehicle under test moves as it can."));
     }
