@@ -20,7 +20,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** A user's project folder: paths of its files, and of those results that are checked. */
+/** A user's project folder: paths of its files, and of those results that others read. */
 public class ProjectFolder {
 
   /** Name of the chain description among the results of a run. */
@@ -31,6 +31,12 @@ public class ProjectFolder {
 
   /** Name of the constraints for the design rules among the results of a run. */
   public static final String GENERATED = "generated.ocl";
+
+  /** Name of the verdict among the results of a run. */
+  public static final String VERDICT = "verdict.json";
+
+  /** Name of the results of mutants among the results. */
+  public static final String MUTANT_RESULTS = "mutants.json";
 
   private final Path folder;
 

@@ -24,9 +24,6 @@ import java.util.stream.Stream;
 /** The verdict of a project's last run, and whether files have changed since. */
 final class LastVerdict {
 
-  /** The file of the verdict among the results. */
-  static final String FILE = "verdict.json";
-
   private static final int DEEPEST = 8;
   private static final MathContext DIGITS = new MathContext(3);
 
@@ -40,7 +37,7 @@ final class LastVerdict {
 
   /** Reads the verdict; empty if there is none, or no run has got as far. */
   static Optional<LastVerdict> of(ProjectFolder project, OpenTexts texts) {
-    Path file = project.defaultOutput().resolve(FILE);
+    Path file = project.defaultOutput().resolve(ProjectFolder.VERDICT);
     try {
       JsonNode verdict = ProtocolJson.read(Files.readString(file));
       return verdict.isObject() && !verdict.has("stoppedIn")

@@ -22,9 +22,6 @@ public final class ProjectLenses {
   /** The editor's own command that simulates: of a project's folder, and a scenario's name. */
   public static final String SIMULATE = "eventchain.simulate";
 
-  /** The name of the file that the verdicts are read from. */
-  public static final String VERDICT = LastVerdict.FILE;
-
   private static final Pattern NAME = Pattern.compile("(?m)^name: *[\"']?([\\w-]+)");
 
   private final Workspace workspace;

@@ -7,11 +7,11 @@ import dev.eventchain.lsp.check.Checks;
 import dev.eventchain.lsp.check.Settings;
 import dev.eventchain.lsp.language.Languages;
 import dev.eventchain.lsp.language.Protocol;
-import dev.eventchain.lsp.project.ProjectLenses;
 import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
 import dev.eventchain.lsp.text.ProtocolJson;
+import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -114,7 +114,7 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
           .ifPresent((stays ? changed : others)::add);
     }
     if (Stream.concat(changed.stream(), others.stream())
-        .anyMatch(file -> file.endsWith(ProjectLenses.VERDICT))) {
+        .anyMatch(file -> file.endsWith(ProjectFolder.VERDICT))) {
       verdicts.run();
     }
     if (!changed.isEmpty()) {

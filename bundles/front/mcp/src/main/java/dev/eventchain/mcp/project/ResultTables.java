@@ -48,10 +48,10 @@ public final class ResultTables {
   public ResultTables(Path project) {
     this.project = project;
     this.output = new ProjectFolder(project).defaultOutput();
-    find("requirements", "verdict.json", verdict -> list(verdict.path("requirements")));
-    find("scenarios", "verdict.json", verdict -> list(verdict.path("scenarios")));
-    find("criteria", "verdict.json", ResultTables::criteria);
-    find("mutants", "mutants.json", mutants -> list(mutants.path("mutants")));
+    find("requirements", ProjectFolder.VERDICT, verdict -> list(verdict.path("requirements")));
+    find("scenarios", ProjectFolder.VERDICT, verdict -> list(verdict.path("scenarios")));
+    find("criteria", ProjectFolder.VERDICT, ResultTables::criteria);
+    find("mutants", ProjectFolder.MUTANT_RESULTS, mutants -> list(mutants.path("mutants")));
     findCsv();
     if (tables.isEmpty()) {
       throw McpRules.refusal(

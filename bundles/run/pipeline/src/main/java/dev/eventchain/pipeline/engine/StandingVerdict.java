@@ -6,12 +6,12 @@ import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.VerdictFile;
 import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.SourceName;
 import dev.eventchain.pipeline.stage.StageMemory;
 import dev.eventchain.pipeline.stage.StageRecord;
+import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -39,7 +39,7 @@ public record StandingVerdict(List<RequirementOutcome> outcomes, Optional<String
    * @param run a run of this project that does nothing
    */
   public static StandingVerdict of(RunContext run) {
-    Path file = run.file(SimulateStage.VERDICT);
+    Path file = run.file(ProjectFolder.VERDICT);
     if (!Files.isRegularFile(file)) {
       return without("nothing was run");
     }
@@ -57,7 +57,7 @@ public record StandingVerdict(List<RequirementOutcome> outcomes, Optional<String
                           .map(stage -> "the last run was stopped in '" + stage + "'")
                           .orElse("the last run reached no verdict")));
     } catch (IOException e) {
-      return without(SimulateStage.VERDICT + " cannot be read");
+      return without(ProjectFolder.VERDICT + " cannot be read");
     }
   }
 
@@ -69,11 +69,11 @@ public record StandingVerdict(List<RequirementOutcome> outcomes, Optional<String
     StageMemory memory = new StageMemory(run.output(), run.options().output());
     Optional<StageRecord> record = memory.recall(Stage.SIMULATE);
     if (record.isEmpty()) {
-      return Optional.of("there is no record of what " + SimulateStage.VERDICT + " is about");
+      return Optional.of("there is no record of what " + ProjectFolder.VERDICT + " is about");
     }
-    String written = record.get().outputs().get(SimulateStage.VERDICT);
+    String written = record.get().outputs().get(ProjectFolder.VERDICT);
     if (!ContentHash.hex(verdict).equals(written)) {
-      return Optional.of(SimulateStage.VERDICT + " was edited");
+      return Optional.of(ProjectFolder.VERDICT + " was edited");
     }
     try {
       new EarlierStages(run, memory, PipelineRun.WORK).require(Stage.SIMULATE);

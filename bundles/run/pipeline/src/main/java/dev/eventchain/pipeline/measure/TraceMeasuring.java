@@ -11,6 +11,7 @@ import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.simulate.MeasuredTimes;
+import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.simulation.tracing.RecordedTrace;
 import dev.eventchain.simulation.tracing.TraceMeasurement;
 import dev.eventchain.xmi.XmiStore;
@@ -59,7 +60,8 @@ public record TraceMeasuring(String text, WrittenFiles files) {
     WrittenFiles written = new WrittenFiles(Optional.of(output.resolve(FOLDER)));
     try (OutputFolder folder = OutputFolder.open(output)) {
       folder.damage().ifPresent(it -> written.found(List.of(it)));
-      for (String name : List.of("chain.measured.xmi", "measurements.json", MeasuredTimes.DIFF)) {
+      for (String name :
+          List.of(SimulateStage.MEASURED_MODEL, SimulateStage.MEASUREMENTS, MeasuredTimes.DIFF)) {
         folder.removeAll(FOLDER + "/" + name);
       }
       ChainModel chain = ChainModel.read(project, output, model, timeLimit);
@@ -72,9 +74,9 @@ public record TraceMeasuring(String text, WrittenFiles files) {
       Map<String, byte[]> files = new TreeMap<>(diff(project, measured));
       if (!measured.components().isEmpty()) {
         EventChain copy = measured.measuredModel(chain.chain(), name(trace), passed);
-        files.put(FOLDER + "/chain.measured.xmi", XmiStore.toBytes(copy));
+        files.put(FOLDER + "/" + SimulateStage.MEASURED_MODEL, XmiStore.toBytes(copy));
         TraceJson json = TraceJson.of(chain.chain(), read, measured);
-        files.put(FOLDER + "/measurements.json", ResultJson.indented(json));
+        files.put(FOLDER + "/" + SimulateStage.MEASUREMENTS, ResultJson.indented(json));
       }
       written.write(folder, files, onEdit);
       return new TraceMeasuring(TraceTable.of(chain.chain(), measured), written);

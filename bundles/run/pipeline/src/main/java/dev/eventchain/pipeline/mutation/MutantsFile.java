@@ -3,6 +3,7 @@ package dev.eventchain.pipeline.mutation;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.project.ProjectFolder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
@@ -16,8 +17,6 @@ import java.util.Optional;
  */
 record MutantsFile(String chain, String inputs, List<MutantResult> mutants) {
 
-  static final String NAME = "mutants.json";
-
   /** Copies the list. */
   MutantsFile {
     mutants = List.copyOf(mutants);
@@ -29,7 +28,9 @@ record MutantsFile(String chain, String inputs, List<MutantResult> mutants) {
    */
   static List<MutantResult> recall(RunContext run, String inputs) {
     Optional<byte[]> bytes =
-        run.output().isEdited(NAME) ? Optional.empty() : run.output().read(NAME);
+        run.output().isEdited(ProjectFolder.MUTANT_RESULTS)
+            ? Optional.empty()
+            : run.output().read(ProjectFolder.MUTANT_RESULTS);
     return bytes
         .flatMap(it -> ResultJson.ifValid(it, MutantsFile.class))
         .filter(file -> file.inputs().equals(inputs))
@@ -46,6 +47,6 @@ record MutantsFile(String chain, String inputs, List<MutantResult> mutants) {
 
   void write(RunContext run) {
     String json = JsonLayout.of(ResultJson.tree(this)) + "\n";
-    run.writeResult(NAME, json.getBytes(StandardCharsets.UTF_8));
+    run.writeResult(ProjectFolder.MUTANT_RESULTS, json.getBytes(StandardCharsets.UTF_8));
   }
 }

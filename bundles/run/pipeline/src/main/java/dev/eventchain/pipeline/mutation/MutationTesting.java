@@ -23,6 +23,7 @@ import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.ComponentMutator;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -106,7 +107,9 @@ public final class MutationTesting {
             Stage.SIMULATE,
             open.isEmpty() ? Progress.Status.UNCHANGED : Progress.Status.DONE,
             duration,
-            Coverage.counted(chosen.size(), "mutant") + " in " + run.file(MutantsFile.NAME));
+            Coverage.counted(chosen.size(), "mutant")
+                + " in "
+                + run.file(ProjectFolder.MUTANT_RESULTS));
     return outcome;
   }
 

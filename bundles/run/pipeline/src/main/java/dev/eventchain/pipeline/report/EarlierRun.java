@@ -11,6 +11,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.results.Criterion;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.SimulatedScenario;
+import dev.eventchain.pipeline.simulate.SimulateStage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -65,7 +66,7 @@ public final class EarlierRun {
     Map<String, Scenario> scenarios = new LinkedHashMap<>();
     file.ifPresent(
         given -> {
-          Path path = Files.isDirectory(given) ? given.resolve("measurements.json") : given;
+          Path path = Files.isDirectory(given) ? given.resolve(SimulateStage.MEASUREMENTS) : given;
           measured(path).scenarios().forEach(each -> scenarios.put(each.name(), each));
           if (scenarios.isEmpty()) {
             throw unreadable(path, "There are no scenarios in it.");

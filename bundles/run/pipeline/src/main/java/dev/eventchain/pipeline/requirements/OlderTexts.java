@@ -11,7 +11,6 @@ import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.results.RequirementOutcome;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.VerdictFile;
-import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.project.AcceptedTexts;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectLayout;
@@ -42,12 +41,12 @@ final class OlderTexts {
    */
   static OlderTexts of(Project project, Path old) {
     OlderTexts older = new OlderTexts();
-    Path inside = old.resolve(SimulateStage.VERDICT);
+    Path inside = old.resolve(ProjectFolder.VERDICT);
     if (Files.isRegularFile(old.resolve(ProjectLayout.CONFIGURATION))) {
       older.add(new ProjectFolder(old).readRequirements().items());
     } else if (Files.isRegularFile(inside)) {
       older.addResults(inside);
-    } else if (old.endsWith(SimulateStage.VERDICT)) {
+    } else if (old.endsWith(ProjectFolder.VERDICT)) {
       older.addResults(old);
     } else if (!Files.exists(old)) {
       throw unreadable(FileRules.MISSING, "There is no such file or folder.", old);

@@ -51,7 +51,6 @@ public final class SimulateStage implements StageWork {
   public static final String MEASUREMENTS_TABLE = "measurements.csv";
 
   public static final String LATENCY_BOUNDS = "latency-bounds.json";
-  public static final String VERDICT = "verdict.json";
   public static final String MEASURED_MODEL = "chain.measured.xmi";
 
   @Override
@@ -109,7 +108,7 @@ public final class SimulateStage implements StageWork {
     if (!run.options().isPartial()) {
       finished.addUntested(outcomes, found);
       // Last, so that it never exists without the results it refers to.
-      run.writeResult(VERDICT, finished.verdict(outcomes, found));
+      run.writeResult(ProjectFolder.VERDICT, finished.verdict(outcomes, found));
     }
     Simulated report = finished.report(latencies, validation, outcomes, evidence);
     Coverage rules = Constraints.coverage(List.of(finished.measuredFile()), validation);
