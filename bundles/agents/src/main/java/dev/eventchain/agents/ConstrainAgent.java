@@ -8,6 +8,7 @@ import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.Requirements;
 import java.util.Collection;
 import java.util.List;
@@ -20,7 +21,6 @@ import org.eclipse.emf.ecore.EPackage;
 /** Formalizes written design rules as OCL constraints (the paper's Sections IV-B and V-B). */
 public final class ConstrainAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("constrain/v1");
-  private static final String FILE = "generated.ocl";
   private static final String ROOT = "EventChain";
 
   /** Features that are newer than the prompt, and are constrained by hand. */
@@ -67,6 +67,6 @@ public final class ConstrainAgent {
     List<String> ids = rules.items().stream().map(WrittenRequirement::id).toList();
     ConstraintCheck check = new ConstraintCheck(ids, packages, List.copyOf(model));
     return new RepairLoop(context, "constrain", AnswerKind.OCL)
-        .run(FILE, PROMPT, values, Optional.empty(), check::check);
+        .run(ProjectFolder.GENERATED, PROMPT, values, Optional.empty(), check::check);
   }
 }

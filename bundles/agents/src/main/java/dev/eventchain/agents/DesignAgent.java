@@ -18,6 +18,7 @@ import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.llm.chat.ChatMessage;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.project.SoftwareBase;
 import java.util.ArrayList;
@@ -33,7 +34,6 @@ import java.util.OptionalDouble;
 public final class DesignAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("design/v1");
   private static final PromptTemplate AGAIN = PromptTemplate.load("redesign/v1");
-  private static final String FILE = "chain.json";
 
   private final AgentContext context;
 
@@ -91,7 +91,7 @@ public final class DesignAgent {
     return new RepairLoop(context, "design", AnswerKind.JSON)
         .reading(DesignSchema::asArray)
         .run(
-            FILE,
+            ProjectFolder.DESCRIPTION,
             prompt,
             conversation,
             Optional.of(DesignSchema.of(asked.requirements(), asked.base(), asked.messages())),

@@ -12,6 +12,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.Requirements;
 import java.util.List;
 import java.util.Map;
@@ -47,7 +48,7 @@ public final class TestAgent {
     Component described = ChainView.component(chain, component);
     return new RepairLoop(context, "test", AnswerKind.JSON)
         .run(
-            "tests/" + component + ".json",
+            file(component),
             PROMPT,
             values(described, requirements),
             Optional.empty(),
@@ -71,11 +72,16 @@ public final class TestAgent {
             ChatMessage.user(AGAIN.render(Map.of("why", why))));
     return new RepairLoop(context, "test", AnswerKind.JSON)
         .run(
-            "tests/" + component + ".json",
+            file(component),
             AGAIN.name(),
             conversation,
             Optional.empty(),
             text -> check(text, described, requirements));
+  }
+
+  /** Returns the name of the tests in findings; the user's file has the same one in YAML. */
+  private static String file(String component) {
+    return ProjectLayout.TESTS + "/" + component + ".json";
   }
 
   private static Map<String, String> values(Component described, Requirements requirements) {

@@ -8,6 +8,7 @@ import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.ComponentOrigin;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.Simulation;
@@ -66,7 +67,7 @@ final class MutantRun {
     this.messages = MessageCatalog.of(List.of(project.resolve("software-base/msg")));
     this.bench =
         Bench.read(
-                Optional.of(project.resolve(Bench.FILE)).filter(Files::exists),
+                Optional.of(project.resolve(ProjectLayout.BENCH)).filter(Files::exists),
                 SoftwareBase.read(project.resolve("software-base")).signals().orElse(List.of()),
                 messages)
             .withOutputsOf(chain);

@@ -1,6 +1,7 @@
 package dev.eventchain.agents.prompt;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.description.SoftwareBaseNames;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.JsonDocument;
 import java.util.ArrayList;
@@ -17,7 +18,8 @@ public final class SignalText {
    */
   public static String of(String json) {
     List<String> lines = new ArrayList<>();
-    for (JsonNode signal : JsonDocument.parse(SourceText.of("signals.json", json)).root()) {
+    for (JsonNode signal :
+        JsonDocument.parse(SourceText.of(SoftwareBaseNames.SIGNALS, json)).root()) {
       lines.add(
           "- %s (%s, %s, %s)"
               .formatted(

@@ -1,5 +1,7 @@
 package dev.eventchain.project;
 
+import dev.eventchain.description.SoftwareBaseNames;
+
 /**
  * Names of the files and folders in a user's project, relative to its folder. Names of results are
  * those of the stages that write them.
@@ -34,16 +36,16 @@ public final class ProjectLayout {
   public static final String SOFTWARE_BASE = "software-base";
 
   /** The descriptions of existing components. */
-  public static final String COMPONENTS = SOFTWARE_BASE + "/components.json";
+  public static final String COMPONENTS = SOFTWARE_BASE + "/" + SoftwareBaseNames.COMPONENTS;
 
   /** The signals of the vehicle. */
-  public static final String SIGNALS = SOFTWARE_BASE + "/signals.json";
+  public static final String SIGNALS = SOFTWARE_BASE + "/" + SoftwareBaseNames.SIGNALS;
 
   /** The open questions about the existing software. */
-  public static final String QUESTIONS = SOFTWARE_BASE + "/questions.json";
+  public static final String QUESTIONS = SOFTWARE_BASE + "/" + SoftwareBaseNames.QUESTIONS;
 
   /** The message definitions, {@code <package>/msg/*.msg}. */
-  public static final String MESSAGES = SOFTWARE_BASE + "/msg";
+  public static final String MESSAGES = SOFTWARE_BASE + "/" + SoftwareBaseNames.MESSAGES;
 
   /** The connections between world and chain. */
   public static final String BENCH = "bench.yaml";

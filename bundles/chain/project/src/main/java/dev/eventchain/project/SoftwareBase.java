@@ -6,6 +6,7 @@ import dev.eventchain.catalogue.SignalCatalogue;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
 import dev.eventchain.description.ChainNames;
 import dev.eventchain.description.EventChainReader;
+import dev.eventchain.description.SoftwareBaseNames;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.FileRules;
@@ -60,9 +61,6 @@ public final class SoftwareBase {
       Optional<HostedNode> node,
       SourceLocation location) {}
 
-  private static final String COMPONENTS = "components.json";
-  private static final String SIGNALS = "signals.json";
-
   private final Map<String, Component> components;
   private final String componentsText;
   private final String signalsText;
@@ -106,7 +104,7 @@ public final class SoftwareBase {
     catalogue.map(it -> named.orElseThrow().check(it)).ifPresent(diagnostics::addAll);
     Map<String, Component> components = new LinkedHashMap<>();
     EventChain described = EventchainFactory.eINSTANCE.createEventChain();
-    Optional<Text> componentsFile = existing(folder, COMPONENTS, diagnostics);
+    Optional<Text> componentsFile = existing(folder, SoftwareBaseNames.COMPONENTS, diagnostics);
     if (componentsFile.isPresent()) {
       Document json = componentsFile.get().json();
       Modeled<EventChain> read = EventChainReader.readExisting(json);
@@ -114,7 +112,7 @@ public final class SoftwareBase {
       described = read.root();
       components = new Reader(folder, json, diagnostics).components();
     }
-    Optional<Text> signalsFile = existing(folder, SIGNALS, diagnostics);
+    Optional<Text> signalsFile = existing(folder, SoftwareBaseNames.SIGNALS, diagnostics);
     Optional<List<Signal>> signals =
         signalsFile.map(file -> new SignalReader(file.json(), diagnostics).read());
     return new SoftwareBase(
@@ -143,7 +141,7 @@ public final class SoftwareBase {
     }
     ArrayNode text = JsonNodeFactory.instance.arrayNode();
     for (String part : List.of(signalsText, catalogue.get().asJson(some))) {
-      JsonDocument.parse(SourceText.of("signals.json", part)).root().forEach(text::add);
+      JsonDocument.parse(SourceText.of(SoftwareBaseNames.SIGNALS, part)).root().forEach(text::add);
     }
     List<Signal> all = signals.orElse(List.of());
     List<Signal> own = all.subList(0, all.size() - catalogue.get().topics().size());

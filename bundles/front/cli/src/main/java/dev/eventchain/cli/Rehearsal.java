@@ -1,6 +1,8 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Terminal;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -40,8 +42,9 @@ final class Rehearsal {
 
   private static List<List<String>> commands(Path root, Path scratch) {
     String example = root.resolve("examples/aeb").toString();
-    String out = scratch.resolve("out").toString();
-    String model = scratch.resolve("out/chain.xmi").toString();
+    Path results = scratch.resolve(ProjectLayout.OUTPUT);
+    String out = results.toString();
+    String model = results.resolve(ProjectFolder.MODEL).toString();
     String ecore = root.resolve("metamodel/eventchain.ecore").toString();
     String ocl = root.resolve("metamodel/eventchain.ocl").toString();
     String template = root.resolve("templates/ros2-python/main.mtl").toString();

@@ -80,7 +80,9 @@ public final class AebProject {
   /** Returns the example's bench with other descriptions of its topics. */
   public static Bench bench(List<Signal> declared) {
     return Bench.read(
-        Optional.of(EXAMPLE.resolve(Bench.FILE)), declared, MessageCatalog.of(List.of(messages())));
+        Optional.of(EXAMPLE.resolve("bench.yaml")),
+        declared,
+        MessageCatalog.of(List.of(messages())));
   }
 
   private static Path messages() {

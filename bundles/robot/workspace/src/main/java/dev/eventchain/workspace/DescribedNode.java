@@ -33,7 +33,7 @@ record DescribedNode(String component, FoundNode node, List<DescribedEndpoint> e
   }
 
   private static void hosted(PythonNode python, ObjectNode json) {
-    json.put(ChainNames.FILE, "nodes/" + python.file());
+    json.put(ChainNames.FILE, SoftwareBaseFiles.NODES + python.file());
     ObjectNode launch = json.putObject(ChainNames.NODE).put("class", python.className());
     if (!python.name().isEmpty()) {
       launch.put("name", python.name());

@@ -1,6 +1,7 @@
 package dev.eventchain.workspace;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import dev.eventchain.description.SoftwareBaseNames;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.messages.MessageCatalog;
@@ -58,10 +59,10 @@ public final class RecordedSignals {
         new FoundNode(
             "/reader", "", OptionalDouble.empty(), List.of(), true, Optional.empty(), "", 0);
     List<DescribedNode> all = List.of(new DescribedNode("Reader", reader, endpoints));
-    files.put(SoftwareBaseFiles.SIGNALS, SignalsJson.of(all, all));
+    files.put(SoftwareBaseNames.SIGNALS, SignalsJson.of(all, all));
     files.put(
-        SoftwareBaseFiles.COMPONENTS, JsonLayout.of(JsonNodeFactory.instance.arrayNode()) + "\n");
-    files.put(SoftwareBaseFiles.QUESTIONS, SoftwareBaseFiles.text(questions));
+        SoftwareBaseNames.COMPONENTS, JsonLayout.of(JsonNodeFactory.instance.arrayNode()) + "\n");
+    files.put(SoftwareBaseNames.QUESTIONS, SoftwareBaseFiles.text(questions));
     return files;
   }
 
@@ -86,7 +87,7 @@ public final class RecordedSignals {
   private void keep(MessageType type) {
     String definition = recording.definitions().get(type.name());
     if (definition != null && !standard.find(type.name()).filter(type::equals).isPresent()) {
-      files.put(SoftwareBaseFiles.MESSAGES + type.name() + ".msg", definition);
+      files.put(SoftwareBaseNames.MESSAGES + "/" + type.name() + ".msg", definition);
     }
     type.fields().forEach(field -> field.type().message().ifPresent(this::keep));
   }

@@ -3,6 +3,7 @@ package dev.eventchain.workspace;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.description.SoftwareBaseNames;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
@@ -21,15 +22,8 @@ import java.util.TreeMap;
  */
 public final class SoftwareBaseFiles {
 
-  static final String COMPONENTS = "software-base/components.json";
-  static final String SIGNALS = "software-base/signals.json";
-  static final String QUESTIONS = "software-base/questions.json";
-
-  /** The folder of message definitions. */
-  static final String MESSAGES = "software-base/msg/";
-
   /** The folder of nodes that are hosted as they are. */
-  private static final String SOURCES = "software-base/nodes/";
+  static final String NODES = "nodes/";
 
   private final MessageCatalog messages;
   private final MessageFields fields;
@@ -43,13 +37,13 @@ public final class SoftwareBaseFiles {
   }
 
   /**
-   * Returns the texts of the files, by their paths in the project.
+   * Returns the texts of the files, by their paths in the software base.
    *
    * @param messages the definitions of the types that the software uses
    */
   public static SortedMap<String, String> of(FoundSoftware software, MessageCatalog messages) {
     SoftwareBaseFiles files = new SoftwareBaseFiles(messages, software.questions());
-    software.sources().forEach((name, text) -> files.files.put(SOURCES + name, text));
+    software.sources().forEach((name, text) -> files.files.put(NODES + name, text));
     return files.write(software.nodes());
   }
 
@@ -67,9 +61,9 @@ public final class SoftwareBaseFiles {
     }
     List<DescribedNode> components = nodes.stream().filter(this::isOfAChain).toList();
     components.forEach(this::askAbout);
-    files.put(COMPONENTS, components(components));
-    files.put(SIGNALS, SignalsJson.of(nodes, components));
-    files.put(QUESTIONS, text(questions));
+    files.put(SoftwareBaseNames.COMPONENTS, components(components));
+    files.put(SoftwareBaseNames.SIGNALS, SignalsJson.of(nodes, components));
+    files.put(SoftwareBaseNames.QUESTIONS, text(questions));
     return files;
   }
 
@@ -107,7 +101,7 @@ public final class SoftwareBaseFiles {
 
   /** Returns the class of a node whose sources are there. */
   private Optional<PythonNode> hosted(FoundNode node) {
-    return node.python().filter(it -> files.containsKey(SOURCES + it.file()));
+    return node.python().filter(it -> files.containsKey(NODES + it.file()));
   }
 
   /** Returns the endpoints whose types are known; those with equal topic and type are one. */
@@ -180,7 +174,9 @@ public final class SoftwareBaseFiles {
     if (file.isPresent()) {
       String name = file.get().getFileName().toString();
       String ending = name.substring(name.lastIndexOf('.'));
-      files.put(MESSAGES + type.name() + ending, SourceText.read(file.get()).text());
+      files.put(
+          SoftwareBaseNames.MESSAGES + "/" + type.name() + ending,
+          SourceText.read(file.get()).text());
     }
     type.fields().forEach(field -> field.type().message().ifPresent(this::keep));
   }

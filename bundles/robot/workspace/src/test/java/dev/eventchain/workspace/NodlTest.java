@@ -24,8 +24,7 @@ class NodlTest {
     Map<String, String> files = SoftwareBaseFiles.of(found, MessageCatalog.of(List.of()));
     for (String name : List.of("components", "questions")) {
       String file = name + ".json";
-      ExpectedFile.check(
-          DOCUMENTS.resolve("expected").resolve(file), files.get("software-base/" + file));
+      ExpectedFile.check(DOCUMENTS.resolve("expected").resolve(file), files.get(file));
     }
   }
 

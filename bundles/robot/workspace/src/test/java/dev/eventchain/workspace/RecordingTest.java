@@ -39,10 +39,9 @@ class RecordingTest {
     Path folder = RECORDINGS.resolve("expected");
     for (String kind : new String[] {"signals", "questions"}) {
       ExpectedFile.check(
-          folder.resolve(expected + "." + kind + ".json"),
-          files.get("software-base/" + kind + ".json"));
+          folder.resolve(expected + "." + kind + ".json"), files.get(kind + ".json"));
     }
-    assertEquals("[ ]\n", files.get("software-base/components.json"));
+    assertEquals("[ ]\n", files.get("components.json"));
     assertEquals(
         definitions, files.keySet().stream().filter(file -> file.endsWith(".msg")).count());
   }

@@ -226,8 +226,8 @@ class WorkspaceTest {
         rclpy.spin(Guard(1.5))
         """);
     Map<String, String> files = files(folder, Optional.empty());
-    assertTrue(files.get("software-base/components.json").contains("\"Guard\""));
-    String questions = files.get("software-base/questions.json");
+    assertTrue(files.get("components.json").contains("\"Guard\""));
+    String questions = files.get("questions.json");
     assertFalse(questions.contains("only reads"), questions);
     assertTrue(questions.contains("add its package to the workspace"), questions);
     assertFalse(questions.contains("of Guard()"), questions); // its file makes it
@@ -365,12 +365,12 @@ class WorkspaceTest {
     Path expected = workspace.resolveSibling(workspace.getFileName() + ".expected");
     assertEquals(
         files.keySet().stream()
-            .filter(name -> name.endsWith(".msg") || name.startsWith("software-base/nodes/"))
+            .filter(name -> name.endsWith(".msg") || name.startsWith("nodes/"))
             .count(),
         files.keySet().size() - 3L);
     for (String name : List.of("components", "signals", "questions")) {
       String file = name + ".json";
-      ExpectedFile.check(expected.resolve(file), files.get("software-base/" + file));
+      ExpectedFile.check(expected.resolve(file), files.get(file));
     }
   }
 

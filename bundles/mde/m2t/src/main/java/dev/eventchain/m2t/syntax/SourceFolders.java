@@ -23,7 +23,10 @@ import java.util.stream.Stream;
  * folder of the file.
  */
 public final class SourceFolders implements ModuleSources {
-  /** Files that mark a folder as a project. Folders around it do not affect the resolution. */
+  /**
+   * Files by which Eclipse, Maven and this program know a project. Folders around it do not affect
+   * the resolution. The names are written out, since the engine depends on none of these programs.
+   */
   private static final List<String> PROJECT_FILES =
       List.of(".project", "META-INF", "pom.xml", "eventchain.yaml");
 

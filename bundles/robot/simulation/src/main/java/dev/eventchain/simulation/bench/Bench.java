@@ -35,9 +35,6 @@ import org.eclipse.emf.ecore.EObject;
  */
 public final class Bench {
 
-  /** Name of the file in the folder of a project. */
-  public static final String FILE = "bench.yaml";
-
   /** Source of a published value. */
   public sealed interface Source permits Constant, Quantity, Truth, ChosenText {
 

@@ -126,7 +126,7 @@ public final class ProjectStart {
   /**
    * Writes a project around existing software into a new or empty folder.
    *
-   * @param software the files of its software base
+   * @param software the texts of the files of its software base, by their paths in it
    * @param rates the known rates of topics in Hz, by their full names
    * @throws DiagnosticException as {@link #create(Path, BenchProposal)}
    */
@@ -140,9 +140,14 @@ public final class ProjectStart {
       throw start.refused(
           StartRules.FOREIGN, "The folder is not empty.", "Name a new folder for the project.");
     }
-    software.forEach(start::write);
+    List<String> files = new ArrayList<>();
+    software.forEach(
+        (name, text) -> {
+          String file = ProjectLayout.SOFTWARE_BASE + "/" + name;
+          start.write(file, text);
+          files.add(file);
+        });
     Started around = start.create();
-    List<String> files = new ArrayList<>(software.keySet());
     files.addAll(around.files());
     return new Started(files, around.unfed(), OpenQuestions.read(new ProjectFolder(folder)));
   }
