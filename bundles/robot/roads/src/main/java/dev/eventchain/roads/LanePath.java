@@ -1,6 +1,8 @@
 package dev.eventchain.roads;
 
 import dev.eventchain.roads.geometry.PlanPoint;
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
 import java.util.List;
 
 /**

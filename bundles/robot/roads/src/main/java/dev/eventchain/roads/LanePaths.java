@@ -1,5 +1,8 @@
 package dev.eventchain.roads;
 
+import dev.eventchain.roads.link.LaneEnd;
+import dev.eventchain.roads.link.LaneWalk;
+import dev.eventchain.roads.road.Road;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

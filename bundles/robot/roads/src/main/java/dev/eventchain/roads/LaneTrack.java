@@ -2,6 +2,9 @@ package dev.eventchain.roads;
 
 import dev.eventchain.roads.geometry.PlanPoint;
 import dev.eventchain.roads.geometry.Quadrature;
+import dev.eventchain.roads.link.LaneEnd;
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.Road;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;

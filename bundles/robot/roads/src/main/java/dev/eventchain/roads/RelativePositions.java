@@ -1,5 +1,8 @@
 package dev.eventchain.roads;
 
+import dev.eventchain.roads.link.LaneEnd;
+import dev.eventchain.roads.link.LaneWalk;
+import dev.eventchain.roads.road.Road;
 import java.util.Optional;
 
 /** Positions a number of lanes and a distance away from others. */

@@ -7,42 +7,27 @@ import dev.eventchain.diagnostics.FileReads;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.roads.geo.GeoReference;
+import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.link.LaneGraph;
+import dev.eventchain.roads.reader.NetworkReader;
+import dev.eventchain.roads.reader.ReadNetwork;
+import dev.eventchain.roads.road.Header;
+import dev.eventchain.roads.road.Junction;
+import dev.eventchain.roads.road.Lane;
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
+import dev.eventchain.roads.road.Signal;
 import dev.eventchain.roads.xml.XmlRules;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
-import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
 /** A road network of an ASAM OpenDRIVE file, 1.4 to 1.8. Immutable. */
 public final class RoadNetwork {
-
-  /**
-   * The header of a file.
-   *
-   * @param minorVersion of OpenDRIVE 1, such as 8
-   * @param name of the network; often empty
-   * @param vendor of the program that wrote the file; often empty
-   * @param geoReference the projection as a PROJ string; empty if the network has none
-   * @param offset from the coordinates of the file to those of the projection
-   */
-  public record Header(
-      int minorVersion, String name, String vendor, String geoReference, Offset offset) {
-
-    /**
-     * A translation, after a rotation about z.
-     *
-     * @param x in m
-     * @param y in m
-     * @param z in m
-     * @param heading in rad
-     */
-    public record Offset(double x, double y, double z, double heading) {}
-  }
 
   private static final long LARGEST = 100L << 20;
 
@@ -54,19 +39,13 @@ public final class RoadNetwork {
   private final List<Diagnostic> findings;
   private final Locator locator;
 
-  RoadNetwork(
-      Header header,
-      Map<String, Road> roads,
-      Map<String, Junction> junctions,
-      List<Signal.Controller> controllers,
-      LaneGraph graph,
-      List<Diagnostic> findings) {
-    this.header = header;
-    this.roads = Collections.unmodifiableMap(new LinkedHashMap<>(roads));
-    this.junctions = Collections.unmodifiableMap(new LinkedHashMap<>(junctions));
-    this.controllers = List.copyOf(controllers);
-    this.graph = graph;
-    this.findings = List.copyOf(findings);
+  private RoadNetwork(ReadNetwork read) {
+    this.header = read.header();
+    this.roads = read.roads();
+    this.junctions = read.junctions();
+    this.controllers = read.controllers();
+    this.graph = read.graph();
+    this.findings = read.warnings();
     this.locator = new Locator(this.roads.values());
   }
 
@@ -108,7 +87,7 @@ public final class RoadNetwork {
    * @throws DiagnosticException with all problems of the text, if any is an error
    */
   public static RoadNetwork parse(SourceText source) {
-    return NetworkReader.read(source);
+    return new RoadNetwork(NetworkReader.read(source));
   }
 
   /** Returns the warnings about the file, in the order of discovery. */
@@ -211,7 +190,7 @@ public final class RoadNetwork {
     Optional<Road> road =
         road(position.road())
             .filter(
-                found -> Math.abs(found.inside(position.s()) - position.s()) < Records.ROUNDING);
+                found -> Math.abs(found.inside(position.s()) - position.s()) < Profile.ROUNDING);
     return road.map(found -> found.section(position.s()))
         .filter(section -> section.lane(position.lane()).isPresent())
         .map(section -> section.centre(position.lane(), position.s()) + position.offset());

@@ -1,5 +1,8 @@
 package dev.eventchain.roads;
 
+import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.link.LaneEnd;
+import dev.eventchain.roads.link.LaneWalk;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -60,7 +63,7 @@ final class RouteFollower {
     if (isLast()) {
       return LaneWalk.straightest(exit, entries);
     }
-    boolean leaves = Math.abs(exit.s() - route.legs().get(leg).to()) < Records.ROUNDING;
+    boolean leaves = Math.abs(exit.s() - route.legs().get(leg).to()) < Profile.ROUNDING;
     if (!leaves) {
       return entries.stream().filter(exit::goesOnAt).findFirst();
     }

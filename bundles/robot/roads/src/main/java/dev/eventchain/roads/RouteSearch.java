@@ -1,5 +1,9 @@
 package dev.eventchain.roads;
 
+import dev.eventchain.roads.link.LaneEnd;
+import dev.eventchain.roads.road.Lane;
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.Road;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;

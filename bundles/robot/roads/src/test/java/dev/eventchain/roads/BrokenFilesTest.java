@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
 import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;

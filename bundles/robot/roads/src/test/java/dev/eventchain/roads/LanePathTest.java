@@ -7,6 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;

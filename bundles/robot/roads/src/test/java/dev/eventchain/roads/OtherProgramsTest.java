@@ -3,6 +3,8 @@ package dev.eventchain.roads;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.HashMap;

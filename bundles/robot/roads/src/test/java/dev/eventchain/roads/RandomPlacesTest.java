@@ -3,6 +3,10 @@ package dev.eventchain.roads;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.roads.road.Lane;
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;

@@ -5,6 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.roads.road.Header;
+import dev.eventchain.roads.road.Lane;
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
+import dev.eventchain.roads.road.RoadMark;
+import dev.eventchain.roads.road.RoadObject;
+import dev.eventchain.roads.road.Signal;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -28,12 +36,12 @@ class RoadTest {
   @Test
   void headerIsRead() {
     assertEquals(
-        new RoadNetwork.Header(
+        new Header(
             8,
             "tilted",
             "",
             "+proj=utm +zone=32 +datum=WGS84",
-            new RoadNetwork.Header.Offset(1000, 2000, 3, 0.5)),
+            new Header.Offset(1000, 2000, 3, 0.5)),
         NETWORK.header());
   }
 

@@ -9,8 +9,8 @@ public final class Profile {
   /** The constant 0. */
   public static final Profile ZERO = new Profile(List.of());
 
-  /** Distance before the first piece that is rounding, in m. */
-  private static final double ROUNDING = 1e-3;
+  /** Difference between numbers of a file that are meant to be equal, in m. */
+  public static final double ROUNDING = 1e-3;
 
   private final double[] starts;
   private final Cubic[] pieces;

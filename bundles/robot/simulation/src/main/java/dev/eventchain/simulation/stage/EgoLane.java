@@ -28,7 +28,7 @@ record EgoLane(RoadNetwork roads, LanePath path, double start, Frame frame) impl
 
   @Override
   public Place place(double along, double across) {
-    dev.eventchain.roads.Pose pose = path.pose(start + along, across);
+    dev.eventchain.roads.road.Pose pose = path.pose(start + along, across);
     return frame.toWorld(Pose.flat(pose.x(), pose.y(), pose.heading()));
   }
 

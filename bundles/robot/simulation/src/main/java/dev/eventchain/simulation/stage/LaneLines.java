@@ -1,10 +1,10 @@
 package dev.eventchain.simulation.stage;
 
 import dev.eventchain.openscenario.storyboard.world.Pose;
-import dev.eventchain.roads.Lane;
-import dev.eventchain.roads.LaneSection;
-import dev.eventchain.roads.RoadMark;
 import dev.eventchain.roads.RoadNetwork;
+import dev.eventchain.roads.road.Lane;
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.RoadMark;
 import dev.eventchain.simulation.world.Road;
 import java.util.ArrayList;
 import java.util.List;
@@ -42,7 +42,7 @@ final class LaneLines {
   }
 
   /** Returns whether a road comes near, at places so far apart that none is missed. */
-  private boolean isNear(dev.eventchain.roads.Road road) {
+  private boolean isNear(dev.eventchain.roads.road.Road road) {
     for (double s = 0.0; s < road.length() + COARSE; s += COARSE) {
       Road.Place place = place(road.pose(Math.min(s, road.length()), 0.0));
       if (isNear(place, ASIDE + COARSE)) {
@@ -52,7 +52,7 @@ final class LaneLines {
     return false;
   }
 
-  private void add(dev.eventchain.roads.Road road) {
+  private void add(dev.eventchain.roads.road.Road road) {
     for (LaneSection section : road.sections()) {
       int outermost = section.lanes().get(0).id();
       int innermost = section.lanes().get(section.lanes().size() - 1).id();
@@ -69,7 +69,8 @@ final class LaneLines {
   }
 
   /** Adds the parts of a lane's outer edge that are near. */
-  private void add(dev.eventchain.roads.Road road, LaneSection section, int lane, boolean broken) {
+  private void add(
+      dev.eventchain.roads.road.Road road, LaneSection section, int lane, boolean broken) {
     List<Road.Place> places = new ArrayList<>();
     int steps = (int) Math.ceil((section.end() - section.start()) / STEP);
     for (int i = 0; i <= steps; i++) {
@@ -85,7 +86,7 @@ final class LaneLines {
     finish(places, broken);
   }
 
-  private Road.Place place(dev.eventchain.roads.Pose pose) {
+  private Road.Place place(dev.eventchain.roads.road.Pose pose) {
     return lane.frame().toWorld(Pose.flat(pose.x(), pose.y(), pose.heading()));
   }
 

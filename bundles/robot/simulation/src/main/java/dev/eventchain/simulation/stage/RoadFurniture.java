@@ -2,9 +2,9 @@ package dev.eventchain.simulation.stage;
 
 import dev.eventchain.openscenario.storyboard.world.Pose;
 import dev.eventchain.roads.RoadNetwork;
-import dev.eventchain.roads.RoadObject;
 import dev.eventchain.roads.RoadPosition;
-import dev.eventchain.roads.Signal;
+import dev.eventchain.roads.road.RoadObject;
+import dev.eventchain.roads.road.Signal;
 import dev.eventchain.simulation.world.Actor;
 import dev.eventchain.simulation.world.ActorKind;
 import dev.eventchain.simulation.world.Road;
@@ -42,7 +42,7 @@ final class RoadFurniture {
     this.frame = frame;
     this.road = road;
     this.names = new HashSet<>(names);
-    for (dev.eventchain.roads.Road each : network.roads()) {
+    for (dev.eventchain.roads.road.Road each : network.roads()) {
       each.objects().forEach(this::add);
       each.signals().forEach(this::add);
     }
@@ -78,8 +78,8 @@ final class RoadFurniture {
       RoadObject.Corner to = corners.get((i + 1) % corners.size());
       double x = to.x() - from.x();
       double y = to.y() - from.y();
-      dev.eventchain.roads.Pose middle =
-          new dev.eventchain.roads.Pose(
+      dev.eventchain.roads.road.Pose middle =
+          new dev.eventchain.roads.road.Pose(
               (from.x() + to.x()) / 2,
               (from.y() + to.y()) / 2,
               Math.min(from.z(), to.z()),
@@ -99,7 +99,7 @@ final class RoadFurniture {
   private void add(
       String name,
       ActorKind kind,
-      dev.eventchain.roads.Pose pose,
+      dev.eventchain.roads.road.Pose pose,
       double length,
       double width,
       double height) {
@@ -119,7 +119,7 @@ final class RoadFurniture {
             unique(name), kind, new Actor.Size(length, width, bottom, bottom + height), track));
   }
 
-  private double ground(dev.eventchain.roads.Pose pose) {
+  private double ground(dev.eventchain.roads.road.Pose pose) {
     RoadPosition below = network.nearest(pose.x(), pose.y());
     return network.road(below.road()).orElseThrow().pose(below.s(), below.t()).z();
   }

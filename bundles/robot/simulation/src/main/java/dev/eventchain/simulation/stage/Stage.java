@@ -85,7 +85,7 @@ final class Stage {
     if (path.isPresent()) {
       LanePath lane = path.get();
       double along = lane.station(bumper.x(), bumper.y(), lane.origin()).along();
-      dev.eventchain.roads.Pose origin = lane.pose(along, 0.0);
+      dev.eventchain.roads.road.Pose origin = lane.pose(along, 0.0);
       this.frame = new Frame(origin.x(), origin.y(), origin.heading());
       this.road =
           FurnishedRoad.of(network.get(), lane, along)

@@ -7,10 +7,10 @@ import dev.eventchain.openscenario.storyboard.world.RoadMap;
 import dev.eventchain.openscenario.storyboard.world.RoadPoint;
 import dev.eventchain.roads.LanePath;
 import dev.eventchain.roads.LanePosition;
-import dev.eventchain.roads.Road;
 import dev.eventchain.roads.RoadNetwork;
 import dev.eventchain.roads.RoadPosition;
 import dev.eventchain.roads.Route;
+import dev.eventchain.roads.road.Road;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -60,7 +60,7 @@ public final class NetworkRoads implements RoadMap {
     return pose(found(point.road()).pose(point.s(), point.t()));
   }
 
-  private static Pose pose(dev.eventchain.roads.Pose pose) {
+  private static Pose pose(dev.eventchain.roads.road.Pose pose) {
     return new Pose(pose.x(), pose.y(), pose.z(), 0, pose.pitch(), pose.roll())
         .withHeading(pose.heading());
   }

@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
 import dev.eventchain.roads.geometry.Profile;
 import dev.eventchain.roads.xml.CheckedElement;
@@ -8,9 +8,6 @@ import java.util.List;
 
 /** Reader of elements that hold from their s on. */
 final class Records {
-
-  /** Difference between numbers of a file that are meant to be equal, in m. */
-  static final double ROUNDING = 1e-3;
 
   private final Problems problems;
 
@@ -42,7 +39,7 @@ final class Records {
       if (Double.isNaN(start)) {
         continue; // Reported where the element is read.
       }
-      if (start < last - ROUNDING) {
+      if (start < last - Profile.ROUNDING) {
         problems.add(
             RoadRules.ORDER,
             element.at(attribute),

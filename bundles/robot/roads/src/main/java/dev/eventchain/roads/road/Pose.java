@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.road;
 
 /**
  * A place and a direction in the inertial frame, with the angles of ISO 8855.
@@ -13,7 +13,7 @@ package dev.eventchain.roads;
 public record Pose(double x, double y, double z, double heading, double pitch, double roll) {
 
   /** Returns the pose with the front where the back was. */
-  Pose turned() {
+  public Pose turned() {
     return new Pose(x, y, z, heading + Math.PI, -pitch, -roll);
   }
 }

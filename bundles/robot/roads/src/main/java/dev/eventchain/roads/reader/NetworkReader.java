@@ -1,7 +1,12 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.roads.link.LaneGraph;
+import dev.eventchain.roads.road.Header;
+import dev.eventchain.roads.road.Junction;
+import dev.eventchain.roads.road.Road;
+import dev.eventchain.roads.road.Signal;
 import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.ElementTable;
 import dev.eventchain.roads.xml.Place;
@@ -14,7 +19,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Reader of a file's parts, one after the other. */
-final class NetworkReader {
+public final class NetworkReader {
 
   private static final int NEWEST_MINOR = 8;
   private static final int OLDEST_KNOWN_MINOR = 4;
@@ -26,9 +31,15 @@ final class NetworkReader {
   private final Map<String, Junction> junctions = new LinkedHashMap<>();
   private final Map<String, Place> places = new LinkedHashMap<>();
   private final List<Signal.Controller> controllers = new ArrayList<>();
-  private RoadNetwork.Header header;
+  private Header header;
 
-  static RoadNetwork read(SourceText source) {
+  /**
+   * Reads a text.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException with all problems of the text, if any is
+   *     an error
+   */
+  public static ReadNetwork read(SourceText source) {
     NetworkReader reader = new NetworkReader();
     XmlStream.read(source, reader.problems, reader::handle);
     return reader.network(SourceLocation.of(source.at(0).file()));
@@ -45,7 +56,7 @@ final class NetworkReader {
     }
   }
 
-  private RoadNetwork.Header header(CheckedElement element) {
+  private Header header(CheckedElement element) {
     if (header != null) {
       problems.add(
           RoadRules.DUPLICATE, element, "There is a second `header`.", "Remove one of them.");
@@ -53,19 +64,19 @@ final class NetworkReader {
     double major = element.number("revMajor");
     double minor = element.number("revMinor");
     requireVersion(element, major, minor);
-    RoadNetwork.Header.Offset offset =
+    Header.Offset offset =
         element
             .child("offset")
             .map(
                 child ->
-                    new RoadNetwork.Header.Offset(
+                    new Header.Offset(
                         child.number("x"),
                         child.number("y"),
                         child.number("z", 0),
                         child.number("hdg", 0)))
-            .orElse(new RoadNetwork.Header.Offset(0, 0, 0, 0));
+            .orElse(new Header.Offset(0, 0, 0, 0));
     String projection = element.child("geoReference").map(CheckedElement::text).orElse("");
-    return new RoadNetwork.Header(
+    return new Header(
         (int) minor,
         element.optional("name").orElse(""),
         element.optional("vendor").orElse(""),
@@ -125,7 +136,7 @@ final class NetworkReader {
         element.children("control").stream().map(each -> each.string("signalId")).toList());
   }
 
-  private RoadNetwork network(SourceLocation file) {
+  private ReadNetwork network(SourceLocation file) {
     if (header == null) {
       problems.add(
           XmlRules.ELEMENT_MISSING,
@@ -141,6 +152,6 @@ final class NetworkReader {
     // Where a road could not be read, links to its lanes would be found wrong, too.
     LaneGraph graph =
         complete ? new LaneGraphBuilder(roads, junctions, problems).graph(links) : null;
-    return new RoadNetwork(header, roads, junctions, controllers, graph, problems.warnings());
+    return new ReadNetwork(header, roads, junctions, controllers, graph, problems.warnings());
   }
 }

@@ -1,8 +1,12 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
 import dev.eventchain.roads.geometry.Cubic;
 import dev.eventchain.roads.geometry.Profile;
 import dev.eventchain.roads.geometry.ReferenceLine;
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.Road;
+import dev.eventchain.roads.road.RoadLink;
+import dev.eventchain.roads.road.RoadSurface;
 import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
 import java.util.HashMap;

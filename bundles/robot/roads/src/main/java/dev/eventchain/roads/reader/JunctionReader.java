@@ -1,5 +1,7 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
+import dev.eventchain.roads.road.Junction;
+import dev.eventchain.roads.road.RoadLink;
 import dev.eventchain.roads.xml.CheckedElement;
 import java.util.ArrayList;
 import java.util.List;

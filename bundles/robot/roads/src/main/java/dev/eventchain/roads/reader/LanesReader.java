@@ -1,6 +1,8 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
 import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.road.Lane;
+import dev.eventchain.roads.road.LaneSection;
 import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
 import java.util.ArrayList;
@@ -107,7 +109,7 @@ final class LanesReader {
   private void requireStart(CheckedElement first, List<Side> left, List<Side> right) {
     boolean missing =
         Stream.of(left, right)
-            .anyMatch(side -> side.isEmpty() || side.get(0).start > Records.ROUNDING);
+            .anyMatch(side -> side.isEmpty() || side.get(0).start > Profile.ROUNDING);
     if (missing) {
       problems.add(
           RoadRules.GAP,

@@ -1,8 +1,11 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
-import dev.eventchain.roads.RoadObject.Body;
-import dev.eventchain.roads.RoadObject.Corner;
-import dev.eventchain.roads.RoadObject.Outline;
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
+import dev.eventchain.roads.road.RoadObject;
+import dev.eventchain.roads.road.RoadObject.Body;
+import dev.eventchain.roads.road.RoadObject.Corner;
+import dev.eventchain.roads.road.RoadObject.Outline;
 import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
 import dev.eventchain.roads.xml.XmlRules;

@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.road;
 
 import dev.eventchain.roads.geometry.PlanPoint;
 import dev.eventchain.roads.geometry.Profile;
@@ -39,7 +39,7 @@ public final class Road {
    * @param types the types of the road, in the order of s
    * @param userData what the program that made the file says of the road, by its codes
    */
-  record Facts(
+  public record Facts(
       String id,
       String name,
       Optional<String> junction,
@@ -59,13 +59,14 @@ public final class Road {
   public record RoadType(double start, String type, Optional<SpeedLimit> limit) {}
 
   /** Objects and signals beside and on a road. */
-  record Furniture(
+  public record Furniture(
       List<RoadObject> objects, List<Signal> signals, List<Signal.Reference> references) {
 
-    static final Furniture NONE = new Furniture(List.of(), List.of(), List.of());
+    /** Nothing beside or on a road. */
+    public static final Furniture NONE = new Furniture(List.of(), List.of(), List.of());
 
     /** Copies the lists. */
-    Furniture {
+    public Furniture {
       objects = List.copyOf(objects);
       signals = List.copyOf(signals);
       references = List.copyOf(references);
@@ -81,7 +82,8 @@ public final class Road {
   private final Furniture furniture;
   private final boolean raised;
 
-  Road(
+  /** Creates a road of the parts that were read. */
+  public Road(
       Facts facts,
       ReferenceLine line,
       RoadSurface surface,
@@ -150,16 +152,17 @@ public final class Road {
   }
 
   /** Returns the same road with a further lane section, which begins at a place. */
-  Road divided(double s) {
+  public Road divided(double s) {
     List<LaneSection> all = new ArrayList<>();
     for (LaneSection each : sections) {
-      boolean inside = s > each.start() + Records.ROUNDING && s < each.end() - Records.ROUNDING;
+      boolean inside = s > each.start() + Profile.ROUNDING && s < each.end() - Profile.ROUNDING;
       all.addAll(inside ? each.divided(s) : List.of(each));
     }
     return new Road(facts, line, surface, laneOffset, all, furniture);
   }
 
-  int sectionIndex(double s) {
+  /** Returns the index of the lane section at a place. */
+  public int sectionIndex(double s) {
     return Math.max(0, Profile.indexAt(sectionStarts, s));
   }
 
@@ -272,25 +275,27 @@ public final class Road {
   }
 
   /** Returns whether its surface is at z = 0 everywhere. */
-  boolean isFlat() {
+  public boolean isFlat() {
     return surface.isPlane() && !raised;
   }
 
-  double inside(double s) {
+  /** Returns s of the nearest place on the road. */
+  public double inside(double s) {
     return Math.max(0, Math.min(length(), s));
   }
 
   /** Returns the point of the reference line. */
-  PlanPoint plan(double s) {
+  public PlanPoint plan(double s) {
     return line.at(s);
   }
 
-  ReferenceLine line() {
+  /** Returns the reference line. */
+  public ReferenceLine line() {
     return line;
   }
 
   /** Returns t of lane 0. */
-  Profile laneOffset() {
+  public Profile laneOffset() {
     return laneOffset;
   }
 
@@ -298,7 +303,7 @@ public final class Road {
    * Returns s and t of the point of a part of the road that is nearest to a place. The part must
    * not turn by more than a right angle.
    */
-  double[] project(double x, double y, double from, double to) {
+  public double[] project(double x, double y, double from, double to) {
     double[] plan = projectPlan(x, y, from, to);
     double s = plan[0];
     double t = plan[1];
@@ -321,7 +326,7 @@ public final class Road {
   }
 
   /** As {@link #project}, as if the surface was not tilted. */
-  double[] projectPlan(double x, double y, double from, double to) {
+  public double[] projectPlan(double x, double y, double from, double to) {
     double s = line.nearest(x, y, from, to);
     return new double[] {s, offset(line.at(s), x, y)};
   }

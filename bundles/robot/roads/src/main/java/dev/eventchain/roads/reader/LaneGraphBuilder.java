@@ -1,6 +1,16 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
 import dev.eventchain.roads.geometry.PlanPoint;
+import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.link.LaneEnd;
+import dev.eventchain.roads.link.LaneGraph;
+import dev.eventchain.roads.road.Junction;
+import dev.eventchain.roads.road.Lane;
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
+import dev.eventchain.roads.road.RoadLink;
+import dev.eventchain.roads.road.Signal;
 import dev.eventchain.roads.xml.Place;
 import dev.eventchain.roads.xml.Problems;
 import java.util.Collection;
@@ -75,7 +85,7 @@ final class LaneGraphBuilder {
     Road main = roads.get(each.main());
     if (main == null) {
       report(each.place(), "road", each.main(), roads.keySet());
-    } else if (!(each.s() >= 0 && each.s() <= main.length() + Records.ROUNDING)) {
+    } else if (!(each.s() >= 0 && each.s() <= main.length() + Profile.ROUNDING)) {
       problems.add(
           RoadRules.LINK,
           each.place().location(),

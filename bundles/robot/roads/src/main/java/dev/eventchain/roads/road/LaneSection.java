@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.road;
 
 import dev.eventchain.roads.geometry.Profile;
 import java.util.ArrayList;
@@ -27,7 +27,7 @@ public final class LaneSection {
    * @param left the lanes from 1 on
    * @param right the lanes from -1 down
    */
-  LaneSection(
+  public LaneSection(
       double start, double end, Profile offset, List<Lane> left, List<Lane> right, Lane centre) {
     this.start = start;
     this.end = end;
@@ -93,7 +93,7 @@ public final class LaneSection {
   }
 
   /** Returns t of a lane's middle, or a derivative with respect to s of an order up to 3. */
-  double centre(int lane, double s, int order) {
+  public double centre(int lane, double s, int order) {
     return (edge(lane, s, order) + edge(lane - Integer.signum(lane), s, order)) / 2;
   }
 
@@ -137,7 +137,7 @@ public final class LaneSection {
   }
 
   /** Returns where the lanes' polynomials begin. */
-  List<double[]> breaks() {
+  public List<double[]> breaks() {
     return lanes().stream().map(Lane::breaks).toList();
   }
 

@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.road;
 
 import dev.eventchain.roads.geometry.Profile;
 import java.util.List;
@@ -44,7 +44,8 @@ public final class Lane {
    * @param innerHeight above the road at the inner edge, in m
    * @param outerHeight above the road at the outer edge, in m
    */
-  record Shape(Profile width, Optional<Profile> border, Profile innerHeight, Profile outerHeight) {}
+  public record Shape(
+      Profile width, Optional<Profile> border, Profile innerHeight, Profile outerHeight) {}
 
   private final int id;
   private final String type;
@@ -54,7 +55,8 @@ public final class Lane {
   private final List<RoadMark> marks;
   private final List<Road.SpeedLimit> limits;
 
-  Lane(
+  /** Creates a lane of the parts that were read. */
+  public Lane(
       int id,
       String type,
       boolean level,
@@ -130,14 +132,14 @@ public final class Lane {
   }
 
   /** Returns the width, or the distance of the border to lane 0, as the file has it, in m. */
-  double statedWidth(double s) {
+  public double statedWidth(double s) {
     return shape.border.isPresent()
         ? Math.signum(id) * shape.border.get().at(s)
         : shape.width.at(s);
   }
 
   /** Returns where its polynomials begin. */
-  double[] breaks() {
+  public double[] breaks() {
     return shape.border.orElse(shape.width).starts();
   }
 }

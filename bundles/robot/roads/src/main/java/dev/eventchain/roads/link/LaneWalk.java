@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.link;
 
 import java.util.Comparator;
 import java.util.List;
@@ -6,14 +6,15 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 
 /** Walk along linked lanes, from section to section. */
-final class LaneWalk {
+public final class LaneWalk {
 
   /** Sections of a walk after which it ends, as a loop of lanes nearly without length would not. */
-  static final int MOST_SECTIONS = 100_000;
+  public static final int MOST_SECTIONS = 100_000;
 
   private final LaneGraph graph;
 
-  LaneWalk(LaneGraph graph) {
+  /** Creates a walk along the lanes of a graph. */
+  public LaneWalk(LaneGraph graph) {
     this.graph = graph;
   }
 
@@ -21,11 +22,12 @@ final class LaneWalk {
    * Returns the end at which the lane goes on: on the same road, or else where it goes on
    * straightest; empty if it does not.
    */
-  Optional<LaneEnd> straightest(LaneEnd exit) {
+  public Optional<LaneEnd> straightest(LaneEnd exit) {
     return straightest(exit, graph.from(exit));
   }
 
-  static Optional<LaneEnd> straightest(LaneEnd exit, List<LaneEnd> entries) {
+  /** As {@link #straightest(LaneEnd)}, with the ends at which linked lanes begin. */
+  public static Optional<LaneEnd> straightest(LaneEnd exit, List<LaneEnd> entries) {
     for (LaneEnd entry : entries) {
       if (exit.goesOnAt(entry)) {
         return Optional.of(entry);
@@ -49,7 +51,7 @@ final class LaneWalk {
    * @param s of the start
    * @param arrive makes the result of the end that comes next and s
    */
-  <T> Optional<T> along(
+  public <T> Optional<T> along(
       LaneEnd exit, double s, double distance, BiFunction<LaneEnd, Double, T> arrive) {
     LaneEnd to = exit;
     double at = s;

@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.road;
 
 import java.util.List;
 
@@ -29,7 +29,8 @@ public record Junction(String id, String name, Kind kind, List<Connection> conne
       this.spelling = spelling;
     }
 
-    String spelling() {
+    /** Returns its name in OpenDRIVE. */
+    public String spelling() {
       return spelling;
     }
   }

@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.road;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -19,7 +19,8 @@ public record RoadLink(boolean junction, String id, Optional<Contact> contact) {
     /** Point where s is the road's length. */
     END;
 
-    String spelling() {
+    /** Returns its name in OpenDRIVE. */
+    public String spelling() {
       return name().toLowerCase(Locale.ROOT);
     }
   }

@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
 import dev.eventchain.diagnostics.Rule;
 

@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.road;
 
 import java.util.List;
 

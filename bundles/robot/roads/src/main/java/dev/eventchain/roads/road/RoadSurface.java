@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.road;
 
 import dev.eventchain.roads.geometry.PlanPoint;
 import dev.eventchain.roads.geometry.Profile;
@@ -8,7 +8,7 @@ import java.util.List;
  * The surface of a road above its plan view. Lateral coordinates are measured along the tilted
  * surface, as OpenDRIVE defines them.
  */
-final class RoadSurface {
+public final class RoadSurface {
 
   private final Profile elevation;
   private final Profile superelevation;
@@ -23,7 +23,7 @@ final class RoadSurface {
    * @param s in m
    * @param height in m, over t
    */
-  record CrossSection(double s, Profile height) {}
+  public record CrossSection(double s, Profile height) {}
 
   /**
    * Creates a surface.
@@ -31,7 +31,7 @@ final class RoadSurface {
    * @param leftFall the angle by which the left side falls to the outside, in rad
    * @param rightFall the same of the right side
    */
-  RoadSurface(
+  public RoadSurface(
       Profile elevation,
       Profile superelevation,
       Profile leftFall,

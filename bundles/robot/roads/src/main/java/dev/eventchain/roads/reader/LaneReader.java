@@ -1,7 +1,10 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
 import dev.eventchain.roads.geometry.Cubic;
 import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.road.Lane;
+import dev.eventchain.roads.road.Road;
+import dev.eventchain.roads.road.RoadMark;
 import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
 import java.util.ArrayList;
@@ -108,7 +111,7 @@ final class LaneReader {
   /** Reports where the width of a lane is unknown, negative, or on the wrong side. */
   void requireWidth(CheckedElement element, Lane lane, double start, double end) {
     double[] starts = lane.breaks();
-    if (starts.length == 0 || starts[0] > start + Records.ROUNDING) {
+    if (starts.length == 0 || starts[0] > start + Profile.ROUNDING) {
       problems.add(
           RoadRules.LANE_WIDTH,
           element,

@@ -1,9 +1,10 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
 import dev.eventchain.roads.geometry.Cubic;
 import dev.eventchain.roads.geometry.PlanCurve;
 import dev.eventchain.roads.geometry.PlanCurves;
 import dev.eventchain.roads.geometry.PlanPoint;
+import dev.eventchain.roads.geometry.Profile;
 import dev.eventchain.roads.geometry.ReferenceLine;
 import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
@@ -140,7 +141,7 @@ final class PlanReader {
     }
     double end = range.equals("arcLength") ? length : 1;
     PlanCurve curve = PlanCurves.parametric(u, v, end, length);
-    if (PlanCurves.ownLength(curve, length) < Records.ROUNDING) {
+    if (PlanCurves.ownLength(curve, length) < Profile.ROUNDING) {
       problems.add(
           RoadRules.LENGTH,
           element,
@@ -190,7 +191,7 @@ final class PlanReader {
       List<ReferenceLine.Piece> pieces,
       double length) {
     double start = pieces.get(0).start();
-    if (start > Records.ROUNDING) {
+    if (start > Profile.ROUNDING) {
       problems.add(
           RoadRules.GAP,
           elements.get(0),

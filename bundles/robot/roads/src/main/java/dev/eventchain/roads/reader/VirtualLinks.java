@@ -1,5 +1,10 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
+import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.link.LaneEnd;
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.Road;
+import dev.eventchain.roads.road.RoadLink;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -31,7 +36,7 @@ final class VirtualLinks {
     this.roads = roads;
     for (PendingLinks.OfPlace each : links) {
       Road road = roads.get(each.main());
-      boolean between = each.s() > Records.ROUNDING && each.s() < road.length() - Records.ROUNDING;
+      boolean between = each.s() > Profile.ROUNDING && each.s() < road.length() - Profile.ROUNDING;
       if (between) {
         whole.putIfAbsent(each.main(), road);
         roads.put(each.main(), road.divided(each.s()));
@@ -76,7 +81,7 @@ final class VirtualLinks {
     OptionalInt section = OptionalInt.empty();
     for (int i = 0; i < road.sections().size(); i++) {
       LaneSection each = road.sections().get(i);
-      if (Math.abs((atEnd ? each.end() : each.start()) - link.s()) < Records.ROUNDING) {
+      if (Math.abs((atEnd ? each.end() : each.start()) - link.s()) < Profile.ROUNDING) {
         section = OptionalInt.of(i);
       }
     }

@@ -1,5 +1,8 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
+import dev.eventchain.roads.road.Signal;
 import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
 import dev.eventchain.roads.xml.XmlRules;

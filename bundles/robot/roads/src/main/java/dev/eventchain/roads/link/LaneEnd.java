@@ -1,4 +1,8 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.link;
+
+import dev.eventchain.roads.road.LaneSection;
+import dev.eventchain.roads.road.Pose;
+import dev.eventchain.roads.road.Road;
 
 /**
  * An end of a lane within its section.
@@ -6,15 +10,15 @@ package dev.eventchain.roads;
  * @param section the index of the lane section
  * @param atEnd whether it is where the section ends, or else where it starts
  */
-record LaneEnd(Road road, int section, int lane, boolean atEnd) {
+public record LaneEnd(Road road, int section, int lane, boolean atEnd) {
 
   /** Returns whether another end is that at which the next section of the same road begins. */
-  boolean goesOnAt(LaneEnd entry) {
+  public boolean goesOnAt(LaneEnd entry) {
     return entry.road() == road && entry.section() == section + (atEnd ? 1 : -1);
   }
 
   /** Returns the other end of the lane. */
-  LaneEnd other() {
+  public LaneEnd other() {
     return new LaneEnd(road, section, lane, !atEnd);
   }
 
@@ -34,12 +38,13 @@ record LaneEnd(Road road, int section, int lane, boolean atEnd) {
     return ((road.hashCode() * 31 + section) * 31 + lane) * 2 + (atEnd ? 1 : 0);
   }
 
-  LaneSection laneSection() {
+  /** Returns the section that the lane belongs to. */
+  public LaneSection laneSection() {
     return road.sections().get(section);
   }
 
   /** Returns the pose of the lane's middle. */
-  Pose pose() {
+  public Pose pose() {
     return road.pose(s(), laneSection().centre(lane, s()));
   }
 
@@ -50,7 +55,7 @@ record LaneEnd(Road road, int section, int lane, boolean atEnd) {
   }
 
   /** Returns s. */
-  double s() {
+  public double s() {
     return atEnd ? laneSection().end() : laneSection().start();
   }
 }

@@ -1,4 +1,4 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.road;
 
 import java.util.List;
 import java.util.Optional;
@@ -84,7 +84,8 @@ public record Signal(
       this.spelling = spelling;
     }
 
-    String spelling() {
+    /** Returns its name in OpenDRIVE. */
+    public String spelling() {
       return spelling;
     }
   }

@@ -1,6 +1,7 @@
-package dev.eventchain.roads;
+package dev.eventchain.roads.reader;
 
 import dev.eventchain.roads.geometry.Profile;
+import dev.eventchain.roads.road.RoadSurface;
 import dev.eventchain.roads.xml.CheckedElement;
 import dev.eventchain.roads.xml.Problems;
 import java.util.ArrayList;

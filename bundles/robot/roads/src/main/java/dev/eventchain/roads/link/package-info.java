@@ -1,0 +1,2 @@
+/** Lanes that are linked: their ends, and walks along them. */
+package dev.eventchain.roads.link;
