@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.cli.console.ProgressLines;
+import dev.eventchain.cli.options.LlmOptions;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
@@ -169,9 +170,7 @@ final class CampaignCommand extends ProjectCommand {
     }
     List<String> options = new ArrayList<>(List.of("--date", day().toString()));
     options.addAll(List.of("--time-limit", Long.toString(timeLimit().toSeconds())));
-    if (llm.llm != null) {
-      options.addAll(List.of("--llm", llm.llm));
-    }
+    llm.source().ifPresent(it -> options.addAll(List.of("--llm", it)));
     Optional<Path> suppressions = suppressionsFile().map(it -> it.toAbsolutePath().normalize());
     suppressions.ifPresent(
         it -> options.addAll(List.of("--suppressions", CampaignEngine.FILES + it)));

@@ -1,6 +1,8 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
+import dev.eventchain.cli.options.MetamodelOptions;
+import dev.eventchain.cli.options.TemplateOptions;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Outcome;
@@ -61,10 +63,11 @@ final class CompileCommand extends ProjectCommand {
     return Outcome.of(
         coverage,
         AnyModel.compile(
-            given.metamodels,
-            given.references.folders(),
+            given.metamodels(),
+            given.folders(),
             templates.stream()
-                .map(each -> new AnyModel.Template(each, with.sources, with.services, List.of()))
+                .map(
+                    each -> new AnyModel.Template(each, with.sources(), with.services(), List.of()))
                 .toList()),
         suppressions());
   }

@@ -1,6 +1,7 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
+import dev.eventchain.cli.options.ReferenceOptions;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.AnyModel;

@@ -2,6 +2,9 @@ package dev.eventchain.cli;
 
 import dev.eventchain.check.ModelFiles;
 import dev.eventchain.cli.console.Console;
+import dev.eventchain.cli.options.LlmOptions;
+import dev.eventchain.cli.options.MetamodelOptions;
+import dev.eventchain.cli.options.ScenarioOptions;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.diagram.Diagrams;
@@ -62,21 +65,21 @@ final class DiagramCommand extends ProjectCommand {
   @Override
   Outcome work() {
     boolean meansProject = output() == null && !Files.exists(input);
-    if (given.metamodels.isEmpty() && (Files.isDirectory(input) || meansProject)) {
+    if (given.metamodels().isEmpty() && (Files.isDirectory(input) || meansProject)) {
       return drawProject(Project.open(input));
     }
     if (output() == null) {
       throw wrongUsage("name the output folder: -o FOLDER");
     }
-    boolean isMetamodel = given.metamodels.isEmpty() && input.toString().endsWith(".ecore");
+    boolean isMetamodel = given.metamodels().isEmpty() && input.toString().endsWith(".ecore");
     Set<Kind> wanted = kindsOr(isMetamodel ? Kind.METAMODEL : Kind.INSTANCE);
-    if (!given.metamodels.isEmpty() && wanted.contains(Kind.ACTIVITY)) {
+    if (!given.metamodels().isEmpty() && wanted.contains(Kind.ACTIVITY)) {
       throw wrongUsage("only event chains have an activity diagram: leave out --metamodel");
     }
     boolean classes = isMetamodel && wanted.contains(Kind.METAMODEL);
-    List<Path> ecores = classes ? List.of(input) : given.metamodels;
+    List<Path> ecores = classes ? List.of(input) : given.metamodels();
     List<Path> models = classes && wanted.size() == 1 ? List.of() : List.of(input);
-    ModelFiles files = new ModelFiles(models, ecores, given.references.folders());
+    ModelFiles files = new ModelFiles(models, ecores, given.folders());
     return drawn(Diagrams.draw(wanted, files, output(), onEdit()));
   }
 

@@ -1,6 +1,10 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
+import dev.eventchain.cli.options.LlmOptions;
+import dev.eventchain.cli.options.MetamodelOptions;
+import dev.eventchain.cli.options.ScenarioOptions;
+import dev.eventchain.cli.options.TemplateOptions;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Outcome;
@@ -104,7 +108,7 @@ final class GenerateCommand extends ProjectCommand {
     if (printsResult()) {
       throw wrongUsage("a project has many files: -o - is only for templates");
     }
-    if (!given.metamodels.isEmpty()) {
+    if (!given.metamodels().isEmpty()) {
       throw wrongUsage("a model of a metamodel needs a template: --template FILE");
     }
     if (lenient) {
@@ -113,7 +117,7 @@ final class GenerateCommand extends ProjectCommand {
     if (!refused.isEmpty()) {
       throw wrongUsage("--refuse needs a template: --template FILE");
     }
-    if (!with.services.isEmpty() || !with.sources.isEmpty() || !properties.isEmpty()) {
+    if (!with.services().isEmpty() || !with.sources().isEmpty() || !properties.isEmpty()) {
       throw wrongUsage("--services, --source and --properties need a template: --template FILE");
     }
     if (inputs.size() > 1) {
@@ -137,7 +141,7 @@ final class GenerateCommand extends ProjectCommand {
     WrittenFiles files =
         AnyModel.generate(
             given.of(inputs),
-            new AnyModel.Template(template, with.sources, with.services, properties),
+            new AnyModel.Template(template, with.sources(), with.services(), properties),
             new AnyModel.Target(
                 printsResult() ? Optional.empty() : Optional.of(output()),
                 onEdit(),

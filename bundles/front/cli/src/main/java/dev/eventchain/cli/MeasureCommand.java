@@ -1,6 +1,8 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
+import dev.eventchain.cli.options.LlmOptions;
+import dev.eventchain.cli.options.ScenarioOptions;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.ExitCode;

@@ -2,6 +2,9 @@ package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.cli.console.ProgressLines;
+import dev.eventchain.cli.options.LlmOptions;
+import dev.eventchain.cli.options.ReportOptions;
+import dev.eventchain.cli.options.ScenarioOptions;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -12,7 +15,6 @@ import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Pipeline;
 import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.Answers;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.Stage;
@@ -168,7 +170,7 @@ abstract class ProjectCommand implements Callable<Integer> {
 
   /** Returns the file of suppressions that the command line names. */
   final Optional<Path> suppressionsFile() {
-    return Optional.ofNullable(reporting.suppressions);
+    return reporting.suppressionsFile();
   }
 
   /** Returns the day for which suppressions and acceptances are evaluated. */
@@ -178,7 +180,7 @@ abstract class ProjectCommand implements Callable<Integer> {
 
   /** Returns the format of findings on standard output. */
   final DiagnosticFormat format() {
-    return reporting.format;
+    return reporting.format();
   }
 
   /** Returns the output folder of a project. */
@@ -211,10 +213,10 @@ abstract class ProjectCommand implements Callable<Integer> {
     return new RunOptions(
         results,
         stages,
-        new Answers(Optional.ofNullable(llm.llm), llm.record),
+        llm.answers(),
         onEdit(),
         given(scenarios::simulation),
-        Optional.ofNullable(scenarios.compare),
+        scenarios.compared(),
         suppressions(project),
         timeLimit());
   }
@@ -244,14 +246,14 @@ abstract class ProjectCommand implements Callable<Integer> {
 
   private int report(Outcome outcome, double seconds) {
     List<Diagnostic> unwritten =
-        reporting.targets.stream()
+        reporting.targets().stream()
             .flatMap(target -> target.write(outcome, Main.version()).stream())
             .toList();
     Outcome last = outcome.unreported(unwritten);
-    if (reporting.format == DiagnosticFormat.TEXT) {
+    if (reporting.format() == DiagnosticFormat.TEXT) {
       printText(last);
     } else {
-      findings().print(reporting.format.render(last.report(Main.version())));
+      findings().print(reporting.format().render(last.report(Main.version())));
     }
     console.out().flush();
     if (outcome.failed() || !unwritten.isEmpty()) {
@@ -275,7 +277,7 @@ abstract class ProjectCommand implements Callable<Integer> {
       Report report = outcome.report(Main.version());
       findings()
           .print(
-              reporting.all
+              reporting.areAllPrinted()
                   ? DiagnosticFormat.textOfAll(report)
                   : DiagnosticFormat.textExcerpt(report, MOST_OF_ONE_RULE));
     }

@@ -1,6 +1,8 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
+import dev.eventchain.cli.options.LlmOptions;
+import dev.eventchain.cli.options.ScenarioOptions;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.run.Stages;
@@ -57,13 +59,13 @@ final class RunCommand extends ProjectCommand {
           "the stage " + from.id() + " (--from) comes after the stage " + to.id() + " (--to)");
     }
     boolean simulates = from.compareTo(Stage.SIMULATE) <= 0 && to.compareTo(Stage.SIMULATE) >= 0;
-    if (scenarios.mcap && !simulates) {
+    if (scenarios.areRecorded() && !simulates) {
       throw wrongUsage("--mcap records a simulation, but the stage simulate is not run");
     }
-    if (scenarios.faults != null && !simulates) {
+    if (scenarios.faults().isPresent() && !simulates) {
       throw wrongUsage("--faults applies to a simulation, but the stage simulate is not run");
     }
-    if (scenarios.attach && !simulates) {
+    if (scenarios.areAttached() && !simulates) {
       throw wrongUsage("--attach applies to a simulation, but the stage simulate is not run");
     }
     return execute(folder, new Stages(from, to, again), llm, scenarios);

@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
 import dev.eventchain.cli.console.ProgressLines;
+import dev.eventchain.cli.options.LlmOptions;
 import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.CampaignOutcome;

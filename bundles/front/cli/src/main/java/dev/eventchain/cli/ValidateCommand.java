@@ -3,6 +3,9 @@ package dev.eventchain.cli;
 import dev.eventchain.check.ModelValidation;
 import dev.eventchain.check.Validation;
 import dev.eventchain.cli.console.Console;
+import dev.eventchain.cli.options.LlmOptions;
+import dev.eventchain.cli.options.MetamodelOptions;
+import dev.eventchain.cli.options.ScenarioOptions;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.project.Project;
@@ -87,7 +90,7 @@ final class ValidateCommand extends ProjectCommand {
   Outcome work() {
     List<Path> projects = inputs.stream().filter(this::isProject).toList();
     List<Path> models = inputs.stream().filter(input -> !projects.contains(input)).toList();
-    if (!projects.isEmpty() && (!given.metamodels.isEmpty() || !constraints.isEmpty())) {
+    if (!projects.isEmpty() && (!given.metamodels().isEmpty() || !constraints.isEmpty())) {
       throw wrongUsage(
           projects.get(0)
               + " is a folder: a project is validated by its own constraints.ocl and without"
@@ -115,7 +118,7 @@ final class ValidateCommand extends ProjectCommand {
 
   /** Returns whether an input is validated as a project; a single one also if it is missing. */
   private boolean isProject(Path input) {
-    boolean plain = !given.metamodels.isEmpty() || !constraints.isEmpty();
+    boolean plain = !given.metamodels().isEmpty() || !constraints.isEmpty();
     return Files.isDirectory(input)
         || (inputs.size() == 1 && !plain && !Files.isRegularFile(input));
   }
@@ -141,8 +144,7 @@ final class ValidateCommand extends ProjectCommand {
   private Outcome validate(Project project) {
     boolean ready = project.isReadyToValidate(outputOf(project));
     Stage first = ready ? Stage.VALIDATE : Stage.DESIGN;
-    ScenarioOptions scenarios = new ScenarioOptions();
-    scenarios.faults = faults;
+    ScenarioOptions scenarios = ScenarioOptions.ofFaults(faults);
     return execute(project, new Stages(first, Stage.VALIDATE, ready), llm, scenarios);
   }
 }

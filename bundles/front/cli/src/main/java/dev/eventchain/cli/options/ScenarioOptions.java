@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.cli.options;
 
 import dev.eventchain.pipeline.project.StrengthExtent;
 import dev.eventchain.pipeline.run.ScenarioSelection;
@@ -9,7 +9,7 @@ import java.util.Optional;
 import picocli.CommandLine.Option;
 
 /** Options for the simulated scenarios and the recordings that are kept. */
-final class ScenarioOptions {
+public final class ScenarioOptions {
 
   @Option(
       names = "--scenario",
@@ -72,7 +72,7 @@ final class ScenarioOptions {
           "With --driver dds, start no nodes, but drive those that were started elsewhere, in ROS 2"
               + " or without, in the domain of ROS_DOMAIN_ID, in wall-clock time. CYCLONEDDS_URI"
               + " and ROS_LOCALHOST_ONLY apply. What happens inside such nodes is not measured.")
-  boolean attach;
+  private boolean attach;
 
   private enum Transport {
     LOCKSTEP,
@@ -106,7 +106,7 @@ final class ScenarioOptions {
               + " OUTPUT/mcap/NAME.mcap, for Foxglove, 'ros2 bag' and rosbags: about 1 MB for each"
               + " simulated second with a lidar. Scenarios are simulated even if nothing has"
               + " changed.")
-  boolean mcap;
+  private boolean mcap;
 
   @Option(
       names = "--faults",
@@ -116,7 +116,7 @@ final class ScenarioOptions {
               + " that of 'bench --faults-schema'): a node that dies, messages that get lost, a"
               + " clock that jumps. Each fault gets a run of its own, in addition to the scenario"
               + " without it.")
-  Path faults;
+  private Path faults;
 
   @Option(
       names = "--strength",
@@ -150,13 +150,12 @@ final class ScenarioOptions {
    *
    * @throws IllegalArgumentException if they contradict each other
    */
-  SimulationOptions simulation() {
-    return new SimulationOptions(
-        selection(), driver(), mcap, Optional.ofNullable(faults), strength());
+  public SimulationOptions simulation() {
+    return new SimulationOptions(selection(), driver(), mcap, faults(), strength());
   }
 
   /** Returns whether none of them is given. */
-  boolean areDefault() {
+  public boolean areDefault() {
     return names.isEmpty()
         && files.isEmpty()
         && accept.isEmpty()
@@ -176,5 +175,32 @@ final class ScenarioOptions {
       description =
           "Show next to each scenario in the report what another run measured: its "
               + "measurements.json, or the folder of its results.")
-  Path compare;
+  private Path compare;
+
+  /** Returns the earlier run that the report shows beside this one. */
+  public Optional<Path> compared() {
+    return Optional.ofNullable(compare);
+  }
+
+  /** Returns options that name a file of faults, if there is one. */
+  public static ScenarioOptions ofFaults(Path faults) {
+    ScenarioOptions options = new ScenarioOptions();
+    options.faults = faults;
+    return options;
+  }
+
+  /** Returns the file of faults that are simulated. */
+  public Optional<Path> faults() {
+    return Optional.ofNullable(faults);
+  }
+
+  /** Returns whether messages are recorded. */
+  public boolean areRecorded() {
+    return mcap;
+  }
+
+  /** Returns whether nodes are driven that were started elsewhere. */
+  public boolean areAttached() {
+    return attach;
+  }
 }

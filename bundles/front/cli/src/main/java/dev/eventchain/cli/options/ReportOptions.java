@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.cli.options;
 
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.format.DiagnosticFormat;
@@ -20,14 +20,14 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
 /** Options for the selection, format and destination of findings. */
-final class ReportOptions {
+public final class ReportOptions {
 
   @Option(
       names = "--format",
       paramLabel = "FORMAT",
       defaultValue = "text",
       description = "How findings are written to standard output: ${COMPLETION-CANDIDATES}.")
-  DiagnosticFormat format;
+  private DiagnosticFormat format;
 
   @Option(
       names = "--report",
@@ -40,13 +40,13 @@ final class ReportOptions {
               + " of the evidence for requirements: 'evidence' (JUnit XML for tools of"
               + " requirements), 'lobster' (a folder), 'needs' (needs.json of sphinx-needs), 'reqif' and"
               + " 'matrix' (a .csv or .html file).")
-  List<ReportTarget> targets = List.of();
+  private List<ReportTarget> targets = List.of();
 
   @Option(
       names = "--all",
       description =
           "Print all findings as text, not only the first 100 of each rule, and consequences in full.")
-  boolean all;
+  private boolean all;
 
   @Option(
       names = "--suppressions",
@@ -54,7 +54,7 @@ final class ReportOptions {
       description =
           "Findings that do not count, each with a reason and an expiry date (default: "
               + "DIR/eventchain-suppressions.yaml, if there is one).")
-  Path suppressions;
+  private Path suppressions;
 
   @Option(
       names = "--date",
@@ -66,6 +66,26 @@ final class ReportOptions {
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
+
+  /** Returns the format of findings on standard output. */
+  public DiagnosticFormat format() {
+    return format;
+  }
+
+  /** Returns the reports that are written. */
+  public List<ReportTarget> targets() {
+    return targets;
+  }
+
+  /** Returns whether all findings are printed. */
+  public boolean areAllPrinted() {
+    return all;
+  }
+
+  /** Returns the file of suppressions that the command line names. */
+  public Optional<Path> suppressionsFile() {
+    return Optional.ofNullable(suppressions);
+  }
 
   /** Reads {@code FORMAT=FILE}. */
   static final class TargetConverter implements ITypeConverter<ReportTarget> {
@@ -84,7 +104,7 @@ final class ReportOptions {
    *
    * @param runs true if the command may come to a verdict
    */
-  void check(boolean runs) {
+  public void check(boolean runs) {
     Set<Path> files = new HashSet<>();
     for (ReportTarget target : targets) {
       Set<Path> written = new LinkedHashSet<>(target.files());
@@ -110,12 +130,12 @@ final class ReportOptions {
    * Removes the reports of earlier commands from the files. One that cannot be removed cannot be
    * replaced either, which is then reported.
    */
-  void removeEarlier() {
+  public void removeEarlier() {
     targets.forEach(ReportTarget::removeEarlier);
   }
 
   /** Returns the day for which suppressions and acceptances are evaluated. */
-  LocalDate day(Today today) {
+  public LocalDate day(Today today) {
     return date == null ? today.date() : date;
   }
 
@@ -124,8 +144,8 @@ final class ReportOptions {
    *
    * @param standard the file to read unless the command line names another
    */
-  Suppressions suppressions(Optional<Path> standard, Today today) {
-    Optional<Path> file = Optional.ofNullable(suppressions).or(() -> standard);
+  public Suppressions suppressions(Optional<Path> standard, Today today) {
+    Optional<Path> file = suppressionsFile().or(() -> standard);
     if (file.isEmpty()) {
       return Suppressions.NONE;
     }

@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.cli.options;
 
 import dev.eventchain.check.ReferenceFolders;
 import java.nio.file.Path;
@@ -7,7 +7,7 @@ import java.util.Map;
 import picocli.CommandLine.Option;
 
 /** Options for the folders to which references between files may lead. */
-final class ReferenceOptions {
+public final class ReferenceOptions {
 
   @Option(
       names = "--map",
@@ -27,7 +27,8 @@ final class ReferenceOptions {
               + " may be repeated.")
   private List<Path> roots = List.of();
 
-  ReferenceFolders folders() {
+  /** Returns the folders. */
+  public ReferenceFolders folders() {
     return new ReferenceFolders(roots, map);
   }
 }

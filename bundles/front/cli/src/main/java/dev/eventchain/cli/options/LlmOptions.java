@@ -1,9 +1,11 @@
-package dev.eventchain.cli;
+package dev.eventchain.cli.options;
 
+import dev.eventchain.pipeline.run.Answers;
+import java.util.Optional;
 import picocli.CommandLine.Option;
 
 /** Options for the source of language models' answers. */
-final class LlmOptions {
+public final class LlmOptions {
 
   @Option(
       names = "--llm",
@@ -15,8 +17,18 @@ final class LlmOptions {
               + " prompt on standard input; 'handoff:FOLDER' writes each prompt that has no"
               + " recorded answer to a file, ends with exit code 4, and continues when called again"
               + " once the answer's file is there. Default: as eventchain.yaml says.")
-  String llm;
+  private String source;
 
   @Option(names = "--record", description = "Keep new answers as recordings of the project.")
-  boolean record;
+  private boolean record;
+
+  /** Returns the source that the command line names. */
+  public Optional<String> source() {
+    return Optional.ofNullable(source);
+  }
+
+  /** Returns the wanted answers. */
+  public Answers answers() {
+    return new Answers(source(), record);
+  }
 }
