@@ -36,7 +36,7 @@ record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolea
       List<ParameterAssignment> all, Optional<String> node, Consumer<String> ask) {
     List<ParameterAssignment> assigned = new ArrayList<>(all);
     Set<String> order = new LinkedHashSet<>();
-    all.forEach(each -> order.add(each.nodes()));
+    all.stream().filter(each -> !each.name().isEmpty()).forEach(each -> order.add(each.nodes()));
     if (node.isEmpty() && order.stream().anyMatch(each -> !each.equals(ParameterAssignment.ALL))) {
       ask.accept(
           "Which parameters has this node, whose name is not known? " + LaunchParameters.SAY);
@@ -75,9 +75,9 @@ record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolea
       Optional<JsonNode> other = value(second, name);
       boolean isSame = one.map(Object::toString).equals(other.map(Object::toString));
       one.filter(it -> isSame).ifPresent(it -> values.put(name, it));
-      int last = assigned.lastIndexOf(first.get(name));
       if (!values.containsKey(name)
-          || Math.min(last, assigned.lastIndexOf(second.get(name))) < open) {
+          || !isSure(first.get(name), assigned, open)
+          || !isSure(second.get(name), assigned, open)) {
         unknown.add(name);
       }
       if (!isSame) {
@@ -87,6 +87,22 @@ record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolea
       }
     }
     return new GivenParameters(values, unknown, open >= 0);
+  }
+
+  /**
+   * Returns whether no file that is not known may replace a value: such a file may have a section
+   * for the node, which counts more than what is given to all nodes, also behind the file.
+   *
+   * @param open the index of the last such file
+   */
+  private static boolean isSure(
+      ParameterAssignment given, List<ParameterAssignment> assigned, int open) {
+    int named = 0;
+    while (assigned.get(named).name().isEmpty()
+        || !assigned.get(named).nodes().equals(given.nodes())) {
+      named++;
+    }
+    return open < 0 || (named > open && !given.nodes().equals(ParameterAssignment.ALL));
   }
 
   private static Optional<JsonNode> value(Map<String, ParameterAssignment> from, String name) {

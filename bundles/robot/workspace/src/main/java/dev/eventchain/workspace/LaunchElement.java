@@ -23,6 +23,9 @@ record LaunchElement(
     String file,
     int line) {
 
+  /** The key in YAML of the elements in one that has attributes, too. */
+  private static final String CHILDREN = "children";
+
   /** Returns the children of the root of a file in XML. */
   static List<LaunchElement> of(String file, XmlElement root) {
     return root.children().stream().map(child -> element(file, child)).toList();
@@ -55,6 +58,7 @@ record LaunchElement(
     JsonNode value = yaml.root().at(inner);
     Map<String, Optional<String>> attributes = new LinkedHashMap<>();
     List<LaunchElement> children = new ArrayList<>(list(file, yaml, inner));
+    children.addAll(list(file, yaml, Document.below(inner, CHILDREN)));
     value
         .properties()
         .forEach(
@@ -62,8 +66,8 @@ record LaunchElement(
               if (each.getValue().isValueNode()) {
                 attributes.put(each.getKey(), Optional.of(each.getValue().asText()));
               }
-              for (JsonNode child :
-                  each.getValue().isArray() ? each.getValue() : List.<JsonNode>of()) {
+              boolean isList = each.getValue().isArray() && !each.getKey().equals(CHILDREN);
+              for (JsonNode child : isList ? each.getValue() : List.<JsonNode>of()) {
                 children.add(plain(each.getKey(), child, file, yaml.at(inner).line()));
               }
             });
@@ -93,9 +97,9 @@ record LaunchElement(
         .properties()
         .forEach(each -> attributes.put(each.getKey(), text(each.getValue())));
     attributes.put("text", text(json.path("text")));
-    if (json.path("condition").asBoolean()) {
-      attributes.put("if", Optional.empty());
-    }
+    json.path("condition")
+        .properties()
+        .forEach(each -> attributes.put(each.getKey(), text(each.getValue())));
     List<LaunchElement> children = new ArrayList<>(of(file, json.path("children")));
     for (JsonNode pair : json.path("remaps")) {
       children.add(pair("remap", "from", "to", pair, file, line));
@@ -117,10 +121,6 @@ record LaunchElement(
 
   private static Optional<String> text(JsonNode value) {
     return value.isTextual() ? Optional.of(value.asText()) : Optional.empty();
-  }
-
-  boolean isConditional() {
-    return attributes.containsKey("if") || attributes.containsKey("unless");
   }
 
   List<LaunchElement> children(String name) {

@@ -3,7 +3,6 @@ package dev.eventchain.workspace;
 import dev.eventchain.diagnostics.SourceText;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,13 +16,9 @@ import java.util.regex.Pattern;
 final class LaunchRun {
 
   private static final int DEEPEST = 20;
-  private static final Pattern VARIABLE = Pattern.compile("\\$\\((?:var|arg) '?([^)' ]+)'?\\)");
   private static final Pattern SHARE =
       Pattern.compile("\\$\\(find-pkg-share '?([^)' ]+)'?\\)/+(.+)");
   private static final Pattern HERE = Pattern.compile("\\$\\(dirname\\)/+(.+)");
-
-  /** Value of a variable that is not known: it is never complete. */
-  private static final String UNKNOWN = "$(unknown)";
 
   /** Attributes with the arguments of a node. */
   private static final List<String> ARGUMENTS = List.of("args", "ros_args");
@@ -66,58 +61,33 @@ final class LaunchRun {
       Map<String, String> packages,
       Function<String, Optional<SourceText>> texts) {}
 
-  private static final class Scope {
-    final Map<String, String> variables;
-
-    /** Values of variables that no argument gives, from where they are used. */
-    final Map<String, String> fallbacks = new HashMap<>();
-
-    final List<TopicNames.Remap> remaps;
-    Optional<String> namespace;
-
-    /** Assignments to the parameters of all later nodes. */
-    final List<ParameterAssignment> parameters;
-
-    Scope() {
-      this(Map.of(), List.of(), Optional.of("/"), new ArrayList<>());
-    }
-
-    private Scope(
-        Map<String, String> variables,
-        List<TopicNames.Remap> remaps,
-        Optional<String> space,
-        List<ParameterAssignment> parameters) {
-      this.variables = new HashMap<>(variables);
-      this.remaps = new ArrayList<>(remaps);
-      this.namespace = space;
-      this.parameters = parameters;
-    }
-
-    /** Returns the scope of a group, which keeps what it changes. */
-    Scope inner() {
-      return inner(new ArrayList<>(parameters));
-    }
-
-    /** Returns the scope of an included file; the parameters that it sets stay set behind it. */
-    Scope included() {
-      return inner(parameters);
-    }
-
-    private Scope inner(List<ParameterAssignment> set) {
-      Scope inner = new Scope(variables, remaps, namespace, set);
-      inner.fallbacks.putAll(fallbacks);
-      return inner;
-    }
-  }
+  /**
+   * A timer, whose nodes are started later.
+   *
+   * @param nodes those that it starts in the scope in which it stands
+   */
+  private record Timer(LaunchElement element, List<Started> nodes, int depth) {}
 
   private final Sources sources;
   private final List<OpenQuestion> questions;
   private final List<Started> started = new ArrayList<>();
-  private final Set<String> included = new TreeSet<>();
+  private final List<Timer> timers = new ArrayList<>();
 
-  private LaunchRun(Sources sources, List<OpenQuestion> questions) {
+  /** Groups that may leave remappings or parameters behind for nodes that are started later. */
+  private final List<LaunchElement> leaking = new ArrayList<>();
+
+  private final Set<String> included = new TreeSet<>();
+  private final boolean isWhole;
+
+  /**
+   * Creates a run.
+   *
+   * @param isWhole whether what conditions exclude is followed, too
+   */
+  private LaunchRun(Sources sources, List<OpenQuestion> questions, boolean isWhole) {
     this.sources = sources;
     this.questions = questions;
+    this.isWhole = isWhole;
   }
 
   /**
@@ -126,39 +96,47 @@ final class LaunchRun {
    * @param questions receives what is not known
    */
   static List<Started> of(String file, Sources sources, List<OpenQuestion> questions) {
-    LaunchRun run = new LaunchRun(sources, questions);
-    run.file(file, new Scope(), 0);
+    LaunchRun run = new LaunchRun(sources, questions, false);
+    LaunchScope scope = new LaunchScope();
+    run.file(file, scope, 0);
+    run.timers.forEach(timer -> run.askAbout(timer, scope));
     return run.started;
   }
 
   /** Returns the files that no other file includes. */
   static List<String> roots(Sources sources) {
-    LaunchRun run = new LaunchRun(sources, new ArrayList<>());
+    LaunchRun run = new LaunchRun(sources, new ArrayList<>(), true);
     for (String file : sources.files().keySet()) {
-      run.file(file, new Scope(), 0);
+      run.file(file, new LaunchScope(), 0);
     }
     return sources.files().keySet().stream().filter(it -> !run.included.contains(it)).toList();
   }
 
-  private void file(String file, Scope scope, int depth) {
+  private void file(String file, LaunchScope scope, int depth) {
     for (LaunchElement element : sources.files().getOrDefault(file, List.of())) {
       element(element, scope, depth);
     }
   }
 
-  private void element(LaunchElement element, Scope scope, int depth) {
-    if (element.isConditional() && !element.kind().equals("arg")) {
+  private void element(LaunchElement element, LaunchScope scope, int depth) {
+    Optional<Boolean> condition = LaunchCondition.holds(element, it -> text(element, it, scope));
+    if (condition.isEmpty() && !element.kind().equals("arg")) {
       ask(element, "Is this launched? It is under a condition, and taken as launched.");
     }
+    if (isWhole || condition.orElse(true)) {
+      launched(element, scope, depth, condition.isPresent());
+    }
+  }
+
+  private void launched(LaunchElement element, LaunchScope scope, int depth, boolean isSure) {
     switch (element.kind()) {
-      case "arg" -> argument(element, "default", scope);
-      case "fallback" ->
-          path(element, "default", scope)
-              .ifPresent(value -> scope.fallbacks.put(known(element, "name").orElse(""), value));
-      case "let" -> variable(element, "value", scope);
+      case "arg" -> argument(element, isSure ? "default" : "", scope);
+      case "let", "keep" -> variable(element, isSure ? "value" : "", scope);
+      case "unset" -> known(element, "name").ifPresent(scope::unset);
       case "push_ros_namespace" -> scope.namespace = namespace(element, scope);
-      case "set_remap" -> scope.remaps.addAll(0, remaps(element, List.of(element), scope));
+      case "set_remap" -> scope.remaps.addAll(remaps(element, List.of(element), scope));
       case "group" -> group(element, scope, depth);
+      case "timer", "ros_timer" -> timer(element, scope, depth);
       case "include" -> include(element, scope, depth);
       case "node" -> node(element, scope);
       case "set_parameter", "set_parameters_from_file" ->
@@ -172,27 +150,54 @@ final class LaunchRun {
     }
   }
 
-  private void group(LaunchElement element, Scope scope, int depth) {
+  private void group(LaunchElement element, LaunchScope scope, int depth) {
     if (!text(element, "forwarding", scope).orElse("true").equalsIgnoreCase("true")) {
       ask(element, "What does this group get of what is set around it? It is taken to get all.");
     }
-    Scope inner = isScoped(element, scope) ? scope.inner() : scope;
-    element.children().forEach(child -> element(child, inner, depth));
+    LaunchScope inner = isScoped(element, scope) ? scope.inner() : scope;
+    List<LaunchElement> children = new ArrayList<>(element.children("keep"));
+    element.children().stream().filter(it -> !it.kind().equals("keep")).forEach(children::add);
+    children.forEach(child -> element(child, inner, depth));
+    if (inner != scope && inner.addsTo(scope)) {
+      leaking.add(element);
+    }
   }
 
-  private void argument(LaunchElement element, String value, Scope scope) {
-    if (!known(element, "name").filter(scope.variables::containsKey).isPresent()) {
+  /** Launches what a timer starts, as if it did so at once, in a scope of its own. */
+  private void timer(LaunchElement element, LaunchScope scope, int depth) {
+    int first = started.size();
+    LaunchScope inner = scope.inner();
+    element.children().forEach(child -> element(child, inner, depth));
+    List<Started> nodes = List.copyOf(started.subList(first, started.size()));
+    timers.add(new Timer(element, nodes, depth));
+  }
+
+  /** Asks about a timer that starts other nodes in the scope that is left at the end. */
+  private void askAbout(Timer timer, LaunchScope end) {
+    LaunchRun later = new LaunchRun(sources, new ArrayList<>(), isWhole);
+    LaunchScope scope = end.inner();
+    timer.element().children().forEach(child -> later.element(child, scope, timer.depth()));
+    if (!later.started.equals(timer.nodes())) {
+      ask(
+          timer.element(),
+          "Which arguments, namespace, remappings and parameters do the nodes of this timer get?"
+              + " Those where it stands are taken, as newer versions of ROS 2 do; older ones take"
+              + " those that are left when it fires.");
+    }
+  }
+
+  private void argument(LaunchElement element, String value, LaunchScope scope) {
+    if (!known(element, "name").filter(scope::isSet).isPresent()) {
       variable(element, value, scope);
     }
   }
 
-  /** Sets a variable, also to what is not known: then it has no longer its earlier value. */
-  private void variable(LaunchElement element, String attribute, Scope scope) {
-    String value = path(element, attribute, scope).orElse(UNKNOWN);
-    known(element, "name").ifPresent(name -> scope.variables.put(name, value));
+  private void variable(LaunchElement element, String attribute, LaunchScope scope) {
+    Optional<String> value = path(element, attribute, scope);
+    known(element, "name").ifPresent(name -> scope.set(name, value));
   }
 
-  private Optional<String> namespace(LaunchElement element, Scope scope) {
+  private Optional<String> namespace(LaunchElement element, LaunchScope scope) {
     if (!element.attributes().containsKey("namespace")) {
       return scope.namespace;
     }
@@ -208,7 +213,7 @@ final class LaunchRun {
                     space -> name.isEmpty() ? space : TopicNames.join(space, name)));
   }
 
-  private void include(LaunchElement element, Scope scope, int depth) {
+  private void include(LaunchElement element, LaunchScope scope, int depth) {
     Optional<String> file =
         path(element, "file", scope)
             .flatMap(it -> located(it, element.file()))
@@ -218,15 +223,14 @@ final class LaunchRun {
       return;
     }
     included.add(file.get());
-    Scope inner = scope.included();
     if (element.children("arg").stream().anyMatch(it -> known(it, "name").isEmpty())) {
       ask(
           element,
           "Which arguments does this give the included launch file? It is taken to give none.");
     }
-    element.children("arg").forEach(child -> variable(child, "value", inner));
-    element.children("let").forEach(child -> variable(child, "value", inner));
-    file(file.get(), inner, depth + 1);
+    element.children("arg").forEach(child -> variable(child, "value", scope));
+    element.children("let").forEach(child -> variable(child, "value", scope));
+    file(file.get(), scope, depth + 1);
   }
 
   /** Returns the name in the workspace of a file that launch names. */
@@ -245,9 +249,9 @@ final class LaunchRun {
     return found;
   }
 
-  private LaunchParameters parameters(Scope scope) {
+  private LaunchParameters parameters(LaunchScope scope) {
     return new LaunchParameters(
-        text -> text(text, scope).filter(LaunchRun::isComplete),
+        text -> scope.text(text).filter(LaunchScope::isComplete),
         element -> {
           String attribute = element.attributes().containsKey("from") ? "from" : "filename";
           return path(element, attribute, scope)
@@ -257,7 +261,7 @@ final class LaunchRun {
         questions);
   }
 
-  private void node(LaunchElement element, Scope scope) {
+  private void node(LaunchElement element, LaunchScope scope) {
     Optional<String> owner = text(element, "pkg", scope);
     Optional<String> executable = text(element, "exec", scope);
     if (owner.isEmpty() || executable.isEmpty()) {
@@ -269,9 +273,9 @@ final class LaunchRun {
     if (unknown) {
       ask(element, "What is the name of this node?");
     }
-    List<TopicNames.Remap> remaps =
-        new ArrayList<>(remaps(element, element.children("remap"), scope));
-    remaps.addAll(scope.remaps);
+    List<TopicNames.Remap> remaps = new ArrayList<>(scope.remaps);
+    remaps.addAll(remaps(element, element.children("remap"), scope));
+    askAboutLeaking();
     Optional<String> namespace = namespace(element, scope);
     started.add(
         new Started(
@@ -287,9 +291,20 @@ final class LaunchRun {
     arguments(element, owner.get(), scope);
   }
 
+  /** Asks about groups that stand before a node: there is one list of what is set for all nodes. */
+  private void askAboutLeaking() {
+    leaking.forEach(
+        group ->
+            ask(
+                group,
+                "Does what this group sets for all of its nodes end with it? It is taken to; but"
+                    + " ROS 2 adds remappings and parameters to what is set around the group."));
+    leaking.clear();
+  }
+
   /** Returns what is assigned to the parameters of a node: to all nodes, then to itself. */
   private List<ParameterAssignment> parameters(
-      LaunchElement element, Scope scope, Optional<String> name, Optional<String> namespace) {
+      LaunchElement element, LaunchScope scope, Optional<String> name, Optional<String> namespace) {
     boolean isNamed =
         name.isPresent()
             && (element.attributes().containsKey("namespace")
@@ -307,7 +322,7 @@ final class LaunchRun {
   }
 
   /** Returns whether the arguments of a node may give it parameters. */
-  private static boolean mayAssign(LaunchElement element, Scope scope) {
+  private static boolean mayAssign(LaunchElement element, LaunchScope scope) {
     return ARGUMENTS.stream()
         .filter(element.attributes()::containsKey)
         .map(attribute -> text(element, attribute, scope))
@@ -315,7 +330,7 @@ final class LaunchRun {
   }
 
   /** Asks about arguments of a node of the workspace, which a host does not give it. */
-  private void arguments(LaunchElement element, String owner, Scope scope) {
+  private void arguments(LaunchElement element, String owner, LaunchScope scope) {
     for (String attribute : ARGUMENTS) {
       Optional<String> given = text(element, attribute, scope);
       boolean isPlain = given.filter(it -> WITHOUT_EFFECT.matcher(it).matches()).isPresent();
@@ -329,7 +344,7 @@ final class LaunchRun {
   }
 
   /** Returns whether a group keeps what it changes, which it does unless it says otherwise. */
-  private boolean isScoped(LaunchElement element, Scope scope) {
+  private boolean isScoped(LaunchElement element, LaunchScope scope) {
     if (!element.attributes().containsKey("scoped")) {
       return true;
     }
@@ -341,7 +356,7 @@ final class LaunchRun {
   }
 
   private List<TopicNames.Remap> remaps(
-      LaunchElement owner, List<LaunchElement> elements, Scope scope) {
+      LaunchElement owner, List<LaunchElement> elements, LaunchScope scope) {
     List<TopicNames.Remap> found = new ArrayList<>();
     for (LaunchElement remap : elements) {
       LaunchElement pair = remap.children("remap").stream().findFirst().orElse(remap);
@@ -361,31 +376,13 @@ final class LaunchRun {
   }
 
   /** Returns the value of an attribute with its variables; empty if it is not known. */
-  private static Optional<String> text(LaunchElement element, String attribute, Scope scope) {
-    return path(element, attribute, scope).filter(LaunchRun::isComplete);
-  }
-
-  private static boolean isComplete(String text) {
-    return !text.contains("$(");
+  private static Optional<String> text(LaunchElement element, String attribute, LaunchScope scope) {
+    return path(element, attribute, scope).filter(LaunchScope::isComplete);
   }
 
   /** Returns the value of an attribute likewise, which may begin with the folder of a package. */
-  private static Optional<String> path(LaunchElement element, String attribute, Scope scope) {
-    return known(element, attribute).flatMap(written -> text(written, scope));
-  }
-
-  private static Optional<String> text(String written, Scope scope) {
-    StringBuilder text = new StringBuilder();
-    Matcher found = VARIABLE.matcher(written);
-    while (found.find()) {
-      String name = found.group(1);
-      String value = scope.variables.getOrDefault(name, scope.fallbacks.get(name));
-      if (value == null) {
-        return Optional.empty();
-      }
-      found.appendReplacement(text, Matcher.quoteReplacement(value));
-    }
-    return Optional.of(found.appendTail(text).toString());
+  private static Optional<String> path(LaunchElement element, String attribute, LaunchScope scope) {
+    return known(element, attribute).flatMap(scope::text);
   }
 
   private void ask(LaunchElement element, String text) {

@@ -1,7 +1,8 @@
 """Launch files in Python, as far as they only declare: as the elements that the same file in XML would have.
 
 An element is an object with ``kind``, ``line``, and as the kind needs ``attributes``, ``remaps`` and ``children``.
-Texts have the substitutions of XML: ``$(var NAME)``, ``$(find-pkg-share PACKAGE)``. What is not known is None.
+Texts have the substitutions of XML: ``$(var NAME)``, ``$(var NAME DEFAULT)``, ``$(find-pkg-share PACKAGE)``. What is
+not known is None.
 """
 
 from __future__ import annotations
@@ -12,13 +13,18 @@ from collections.abc import Iterable, Iterator
 
 from constants import Constants, Place, UnknownValueError
 from launch_parameters import LaunchParameters
-from source_modules import FUNCTIONS, Module, last_name
+from source_modules import FUNCTIONS, Function, Module, last_name
 
 Json = dict[str, object]
 
 _IGNORED = frozenset({"LogInfo", "SetEnvironmentVariable", "Shutdown"})
 _DECISIONS = (ast.If, ast.For, ast.While, ast.With, ast.Try)
 _NODES = frozenset({"Node", "LifecycleNode"})
+_TIMERS = frozenset({"TimerAction", "RosTimer"})
+_CONDITIONS = {"IfCondition": "if", "UnlessCondition": "unless"}
+_COMPARISONS = {"LaunchConfigurationEquals": "equals", "LaunchConfigurationNotEquals": "differs"}
+_EQUALITIES = frozenset({"EqualsSubstitution", "NotEqualsSubstitution"})
+_SUBSTITUTED = frozenset({"text", "package", "variable_name"})
 _NAMED = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
 _ARGUMENTS = {"arguments": "args", "ros_arguments": "ros_args"}
 _SHARES = frozenset({"get_package_share_directory", "FindPackageShare", "get_package_share_path"})
@@ -31,7 +37,7 @@ class LaunchFile:
         self._module = module
         self._constants = constants
         self._place = Place(module)
-        self._fallbacks: dict[str, Json] = {}  # defaults of configurations, which arguments replace
+        self._followed: list[Function] = []  # functions of OpaqueFunction that are being read
 
     def read(self) -> list[Json]:
         """Return the elements of the launch description."""
@@ -45,7 +51,7 @@ class LaunchFile:
                 found += self._list(node.args[0], node) if node.args else []
         for statement in function.body:
             found += self._statement(statement)
-        return [*self._fallbacks.values(), *found]
+        return found
 
     def _statement(self, node: ast.stmt) -> Iterator[Json]:
         """Return what a statement adds to the description: ``description.add_action(node)``."""
@@ -79,8 +85,27 @@ class LaunchFile:
         keywords = {each.arg or "": each.value for each in node.keywords}
         found = self._call(name, node, keywords)
         if "condition" in keywords and found["kind"] != "ignored":
-            found["condition"] = True
+            found["condition"] = self._condition(keywords["condition"])
         return found
+
+    def _condition(self, node: ast.expr) -> dict[str, str | None]:
+        """Return a condition as attributes; ``if`` is None if it is not known."""
+        node = self._definition(node)
+        unknown: dict[str, str | None] = {"if": None}
+        if not isinstance(node, ast.Call):
+            return unknown
+        values = [*node.args, *(each.value for each in node.keywords)]
+        name = last_name(node.func)
+        if name in _CONDITIONS and len(values) == 1:
+            inner = self._definition(values[0])
+            if isinstance(inner, ast.Call) and last_name(inner.func) in _EQUALITIES and len(inner.args) == 2:
+                is_equal = (name == "IfCondition") == (last_name(inner.func) == "EqualsSubstitution")
+                return {"equals" if is_equal else "differs": self._text(inner.args[0]), "to": self._text(inner.args[1])}
+            return {_CONDITIONS[name]: self._text(values[0])}
+        if name in _COMPARISONS and len(values) == 2:
+            variable = self._text(values[0])
+            return {_COMPARISONS[name]: f"$(var {variable})" if variable else None, "to": self._text(values[1])}
+        return unknown
 
     def _call(self, name: str, node: ast.Call, keywords: dict[str, ast.expr]) -> Json:
         if name in _NODES:
@@ -98,11 +123,14 @@ class LaunchFile:
             arguments = self._pairs(keywords.get("launch_arguments"))
             attributes = {"file": self._text(inner)}
             return {"kind": "include", "line": node.lineno, "attributes": attributes, "arguments": arguments}
-        if name in ("GroupAction", "TimerAction"):
+        if name in ("GroupAction", *_TIMERS):
             actions = keywords.get("actions") or (node.args[0] if node.args else ast.List([]))
-            children = self._list(actions, node)
-            return {"kind": "group", "line": node.lineno, "attributes": self._scoped(keywords), "children": children}
-        if name == "PushRosNamespace":
+            children = [*self._kept(keywords.get("launch_configurations"), node), *self._list(actions, node)]
+            kind = "timer" if name in _TIMERS else "group"
+            return {"kind": kind, "line": node.lineno, "attributes": self._scoped(keywords), "children": children}
+        if name == "OpaqueFunction":
+            return self._function(node, keywords)
+        if name in ("PushRosNamespace", "PushROSNamespace"):
             given = keywords.get("namespace") or (node.args[0] if node.args else ast.Constant(None))
             attributes = {"namespace": self._text(given)}
             return {"kind": "push_ros_namespace", "line": node.lineno, "attributes": attributes}
@@ -127,9 +155,38 @@ class LaunchFile:
             parts = [*node.args, *(keywords[key] for key in ("name", "value") if key in keywords)]
             attributes = dict(zip(("name", "value"), map(self._text, parts), strict=False))
             return {"kind": "let", "line": node.lineno, "attributes": attributes}
+        if name == "UnsetLaunchConfiguration":
+            given = keywords.get("name") or (node.args[0] if node.args else ast.Constant(None))
+            return {"kind": "unset", "line": node.lineno, "attributes": {"name": self._text(given)}}
         if name in _IGNORED:
             return {"kind": "ignored", "line": node.lineno}
         return _unknown(node, f"what '{name}' launches is not read")
+
+    def _function(self, node: ast.Call, keywords: dict[str, ast.expr]) -> Json:
+        """Return what a function launches that only returns a list; another one decides when it runs."""
+        named = keywords.get("function") or (node.args[0] if node.args else None)
+        function = self._module.functions.get(named.id) if isinstance(named, ast.Name) else None
+        if not isinstance(function, ast.FunctionDef) or set(keywords) - {"function", "condition"}:
+            return _unknown(node, "what 'OpaqueFunction' launches is not read")
+        result = returned(function)
+        if result is None or function in self._followed:
+            return _unknown(node, f"'{function.name}' decides it when it runs")
+        outside = self._place
+        self._place = Place(self._module, (), function)
+        self._followed.append(function)
+        children = self._list(result, node)
+        self._followed.pop()
+        self._place = outside
+        return {"kind": "group", "line": node.lineno, "attributes": {"scoped": "false"}, "children": children}
+
+    def _kept(self, node: ast.expr | None, owner: ast.AST) -> Iterator[Json]:
+        """Return what sets the configurations that a group is given."""
+        for name, value in self._pairs(node):
+            if name is None:
+                yield _unknown(owner, "the configurations of this group are not known")
+            else:
+                line = getattr(owner, "lineno", 1)
+                yield {"kind": "let", "line": line, "attributes": {"name": name, "value": value}}
 
     def _parameters(self) -> LaunchParameters:
         return LaunchParameters(self._constants, self._place, self._text)
@@ -186,6 +243,11 @@ class LaunchFile:
             return self._substitution(node, depth)
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
             return _joined((self._text(each, depth + 1) for each in (node.left, node.right)), "")
+        if isinstance(node, ast.JoinedStr):
+            return _joined((self._text(each, depth + 1) for each in node.values), "")
+        if isinstance(node, ast.FormattedValue):
+            is_plain = node.conversion == -1 and node.format_spec is None
+            return self._text(node.value, depth + 1) if is_plain else None
         try:
             value = self._constants.value(node, self._place)
             return value if isinstance(value, str) else None
@@ -200,7 +262,9 @@ class LaunchFile:
 
     def _substitution(self, node: ast.Call, depth: int) -> str | None:
         name = last_name(node.func)
-        arguments = [*node.args, *(each.value for each in node.keywords if each.arg in ("text", "package"))]
+        if name == "perform" and isinstance(node.func, ast.Attribute):
+            return self._text(node.func.value, depth + 1)
+        arguments = [*node.args, *(each.value for each in node.keywords if each.arg in _SUBSTITUTED)]
         if name == "join" or name == "PathJoinSubstitution":
             parts = arguments
             if name == "PathJoinSubstitution" and arguments and isinstance(arguments[0], (ast.List, ast.Tuple)):
@@ -210,15 +274,51 @@ class LaunchFile:
         if first is None:
             return None
         if name == "LaunchConfiguration":
-            default = next((each.value for each in node.keywords if each.arg == "default"), None)
-            text = self._text(default, depth + 1) if default is not None else None
-            if text is not None:
-                attributes = {"name": first, "default": text}
-                self._fallbacks[first] = {"kind": "fallback", "line": node.lineno, "attributes": attributes}
-            return f"$(var {first})"
+            return self._configuration(first, node, depth)
         if name in _SHARES:
             return f"$(find-pkg-share {first})"
         return first if name in ("TextSubstitution", "str") else None
+
+    def _configuration(self, name: str, node: ast.Call, depth: int) -> str | None:
+        default = next((each.value for each in node.keywords if each.arg == "default"), None)
+        if default is None or (isinstance(default, ast.Constant) and default.value is None):
+            return f"$(var {name})"
+        text = self._text(default, depth + 1)
+        if text is None or "'" in text or not _is_balanced(text):
+            return f"$(var {name} $(unknown))"
+        return f"$(var {name} '{text}')" if not text or text != text.strip() else f"$(var {name} {text})"
+
+
+def _is_balanced(text: str) -> bool:
+    """Return whether each parenthesis of a text is closed."""
+    depth = 0
+    for each in text:
+        depth += (each == "(") - (each == ")")
+        if depth < 0:
+            return False
+    return depth == 0
+
+
+def returned(function: ast.FunctionDef) -> ast.expr | None:
+    """Return what a function returns that only gives names to values and returns, whatever it is called with.
+
+    It may ask its context for the values of substitutions, and for nothing else.
+    """
+    *before, last = function.body
+    given = {each.arg for each in (*function.args.args, *function.args.kwonlyargs)}
+    asked: set[ast.AST] = set()
+    for node in ast.walk(function):
+        if isinstance(node, ast.Call) and last_name(node.func) == "perform":
+            asked.update(node.args)
+    for node in ast.walk(function):
+        if isinstance(node, ast.Name) and node.id in given and node not in asked:
+            return None
+    for statement in before:
+        is_text = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
+        targets = statement.targets if isinstance(statement, ast.Assign) else []
+        if not is_text and not (targets and all(isinstance(each, ast.Name) for each in targets)):
+            return None
+    return last.value if isinstance(last, ast.Return) else None
 
 
 def _is_pair(node: ast.expr) -> bool:

@@ -37,10 +37,13 @@ class GivenParametersTest {
     assertEquals(matches ? Set.of("limit") : Set.of(), given(nodes, "/left/filter"));
   }
 
-  /** A file that is not known may have a section for the node, too, whatever stands first. */
+  /**
+   * A file that is not known may have a section for the node, which all nodes' does not replace.
+   */
   @ParameterizedTest
-  @CsvSource({"/node, false, true", "/node, true, false", "/**, false, true", "/**, true, false"})
-  void whatComesBeforeAnUnknownFileMayBeReplaced(String nodes, boolean isLast, boolean isUnknown) {
+  @CsvSource({"/node, false, true", "/node, true, false", "/**, false, true", "/**, true, true"})
+  void anUnknownFileMayReplaceWhatTheNodeIsNotGivenByNameBehindIt(
+      String nodes, boolean isLast, boolean isUnknown) {
     List<ParameterAssignment> all = new ArrayList<>();
     all.add(new ParameterAssignment("/**", "rate", Optional.of(IntNode.valueOf(1))));
     all.add(new ParameterAssignment(nodes, "limit", Optional.of(IntNode.valueOf(1))));
@@ -49,6 +52,22 @@ class GivenParametersTest {
     assertEquals(Set.of("rate", "limit"), found.values().keySet());
     assertEquals(isUnknown, found.unknown().contains("limit"));
     assertTrue(found.isOpen());
+  }
+
+  /** A file that is not known says nothing of the order of names, which other files decide. */
+  @Test
+  void versionsDifferBehindAnUnknownFile() {
+    List<String> asked = new ArrayList<>();
+    GivenParameters found =
+        GivenParameters.of(
+            List.of(
+                ParameterAssignment.unknown(),
+                new ParameterAssignment("/node", "limit", Optional.of(IntNode.valueOf(1))),
+                new ParameterAssignment("/**", "limit", Optional.of(IntNode.valueOf(2)))),
+            Optional.of("/node"),
+            asked::add);
+    assertEquals(Set.of("limit"), found.unknown());
+    assertTrue(asked.get(0).startsWith("What is the parameter 'limit' of this node: 1 or 2?"));
   }
 
   @Test

@@ -174,7 +174,7 @@ class WorkspaceTest {
     FoundSoftware found =
         launching(folder, "<include file='$(find-pkg-share braking)/launch/all.launch.py'/>");
     assertEquals(
-        List.of("/first {limit=1}", "/second {limit=2}", "/part {}", "/part {limit=2}", "/last {}"),
+        List.of("/first {limit=1}", "/second {limit=2}", "/part {}", "/part {}", "/last {}"),
         found.nodes().stream()
             .map(each -> each.name() + " " + each.python().orElseThrow().parameters())
             .toList());

@@ -1,0 +1,284 @@
+package dev.eventchain.workspace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.eventchain.sandbox.PythonEnvironment;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests what launch files start, and what is asked of them. */
+class LaunchFilesTest {
+
+  private static final PythonEnvironment PYTHON = PythonEnvironment.ensure(said -> {});
+
+  @TempDir Path folder;
+
+  /** ROS 2 has no scope for an included file: only a group restores what was set. */
+  @Test
+  void whatAnIncludedFileSetsHoldsBehindIt() throws IOException {
+    write(
+        "part.launch.xml",
+        "<launch><arg name='side' default='left'/><push_ros_namespace namespace='$(var side)'/>"
+            + "<set_remap from='request' to='/first'/><set_parameter name='a' value='1'/>"
+            + "<node pkg='braking' exec='brake' name='part'/></launch>");
+    String include = "<include file='$(dirname)/part.launch.xml'>%s</include>";
+    check(
+        "<node pkg='braking' exec='brake' name='before'/>"
+            + ("<group>" + include.formatted("<arg name='side' value='inner'/>") + "</group>")
+            + "<node pkg='braking' exec='brake' name='between'/>"
+            + include.formatted("<let name='side' value='right'/>")
+            + "<node pkg='braking' exec='brake' name='$(var side)'>"
+            + "<remap from='request' to='/own'/></node>"
+            + "<set_remap from='request' to='/second'/>"
+            + include.formatted(""),
+        """
+        /before {} {}
+        /inner/part {a=1} {request=/first}
+        /between {} {}
+        /right/part {a=1} {request=/first}
+        /right/right {a=1} {request=/first}
+        /right/right/part {a=1} {request=/first}
+        """);
+  }
+
+  @Test
+  void conditionsOfKnownArgumentsAreDecided() throws IOException {
+    check(
+        "<arg name='near' default='True'/><arg name='far' default='0'/><arg name='given'/>"
+            + "<arg name='near' default='false' unless='$(var near)'/>"
+            + "<node pkg='braking' exec='brake' name='if_near' if='$(var near)'/>"
+            + "<node pkg='braking' exec='brake' name='unless_near' unless='$(var near)'/>"
+            + "<node pkg='braking' exec='brake' name='if_far' if=' $(var far) '/>"
+            + "<node pkg='braking' exec='brake' name='unless_far' unless='$(var far)'/>"
+            + "<group if='$(var far)'><node pkg='braking' exec='brake' name='in_far'/></group>"
+            + "<let name='side' value='left' if='$(var far)'/>"
+            + "<let name='open' value='left'/><let name='open' value='right' if='$(var given)'/>"
+            + "<node pkg='braking' exec='brake' name='$(var side none)'/>"
+            + "<node pkg='braking' exec='brake' name='x_$(var open)'/>"
+            + "<node pkg='braking' exec='brake' name='odd' if='yes'/>"
+            + "<node pkg='braking' exec='brake' name='both' if='true' unless='false'/>",
+        """
+        /if_near {} {}
+        /unless_far {} {}
+        /none {} {}
+        /Brake {} {}
+        /odd {} {}
+        /both {} {}
+        Is this launched? It is under a condition, and taken as launched.
+        What is the name of this node?
+        Is this launched? It is under a condition, and taken as launched.
+        Is this launched? It is under a condition, and taken as launched.
+        """);
+  }
+
+  /** What a condition excludes by default is no launch file of its own. */
+  @Test
+  void filesUnderConditionsAreIncluded() throws IOException {
+    write("part.launch.xml", "<launch><node pkg='braking' exec='brake' name='part'/></launch>");
+    check(
+        "<arg name='more' default='false'/><node pkg='braking' exec='brake' name='one'/>"
+            + "<include file='$(dirname)/part.launch.xml' if='$(var more)'/>",
+        "/one {} {}\n");
+  }
+
+  @Test
+  void conditionsInPythonAreDecided() throws IOException {
+    checkPython(
+        """
+            side = LaunchConfiguration("side")
+            return LaunchDescription([
+                DeclareLaunchArgument("side", default_value="left"),
+                DeclareLaunchArgument("on", default_value="true"),
+                brake("a", condition=IfCondition(LaunchConfiguration("on"))),
+                brake("b", condition=UnlessCondition(LaunchConfiguration("on"))),
+                brake("c", condition=IfCondition(EqualsSubstitution(side, "left"))),
+                brake("d", condition=UnlessCondition(EqualsSubstitution(side, "left"))),
+                brake("e", condition=IfCondition(NotEqualsSubstitution(side, "right"))),
+                brake("f", condition=LaunchConfigurationEquals("side", "right")),
+                brake("g", condition=LaunchConfigurationNotEquals("side", "right")),
+                brake("h", condition=LaunchConfigurationEquals("on", "True")),
+                brake("i", condition=IfCondition(PythonExpression(["'", side, "' == 'left'"]))),
+            ])
+        """
+            .replace("brake(", "Node(package='braking', executable='brake', name="),
+        """
+        /a {} {}
+        /c {} {}
+        /e {} {}
+        /g {} {}
+        /h {} {}
+        /i {} {}
+        Is this launched? It is under a condition, and taken as launched.
+        Is this launched? It is under a condition, and taken as launched.
+        """);
+  }
+
+  /** Two defaults of one configuration are those of two substitutions. */
+  @Test
+  void functionsThatReturnListsAreRead() throws IOException {
+    checkPython(
+        """
+            first = LaunchConfiguration("none", default="first")
+            second = LaunchConfiguration("none", default=LaunchConfiguration("side"))
+            return LaunchDescription([
+                DeclareLaunchArgument("side", default_value="left"),
+                Node(package="braking", executable="brake", name=first),
+                Node(package="braking", executable="brake", name=second),
+                OpaqueFunction(function=setup),
+                OpaqueFunction(function=decides),
+                OpaqueFunction(function=setup, args=["right"]),
+                Node(package="braking", executable="brake", name=LaunchConfiguration("none")),
+            ])
+
+
+        def setup(context, *args, **kwargs):
+            \"""Starts a node.\"""
+            side = LaunchConfiguration("side").perform(context)
+            return [
+                SetLaunchConfiguration("none", "set"),
+                Node(package="braking", executable="brake", name=f"{side}_brake", namespace=side),
+            ]
+
+
+        def decides(context):
+            if context.launch_configurations["side"] == "left":
+                return [Node(package="braking", executable="brake", name="decided")]
+        """,
+        """
+        /first {} {}
+        /left {} {}
+        /left/left_brake {} {}
+        /set {} {}
+        Which nodes does this launch: 'decides' decides it when it runs?
+        Which nodes does this launch: what 'OpaqueFunction' launches is not read?
+        """);
+  }
+
+  /** Older versions of launch restore nothing when a timer fires. */
+  @Test
+  void timersAreAskedForWhereVersionsDiffer() throws IOException {
+    String node = "<node pkg='braking' exec='brake' name='%s'/>";
+    String timer = "<timer period='2'>" + node + "</timer>";
+    check(
+        "<set_parameter name='a' value='1'/>"
+            + timer.formatted("same")
+            + ("<group><push_ros_namespace namespace='left'/>" + timer.formatted("in_group"))
+            + "<node pkg='braking' exec='brake' name='beside'/></group>"
+            + "<timer period='1'><push_ros_namespace namespace='right'/></timer>"
+            + node.formatted("last"),
+        """
+        /same {a=1} {}
+        /left/in_group {a=1} {}
+        /left/beside {a=1} {}
+        /last {a=1} {}
+        Which arguments, namespace, remappings and parameters do the nodes of this timer get? \
+        Those where it stands are taken, as newer versions of ROS 2 do; older ones take those that \
+        are left when it fires.
+        """);
+  }
+
+  /** Launch restores which list of remappings there is, and not what is in it. */
+  @Test
+  void whatAGroupAddsToAListIsAskedFor() throws IOException {
+    check(
+        "<group><set_remap from='request' to='/alone'/></group>"
+            + "<node pkg='braking' exec='brake' name='one'/>"
+            + "<set_parameter name='a' value='1'/><set_remap from='unused' to='/x'/>"
+            + "<group><set_remap from='request' to='/inner'/></group>"
+            + "<node pkg='braking' exec='brake' name='two'/>"
+            + "<group><set_parameter name='a' value='2'/>"
+            + "<node pkg='braking' exec='brake' name='three'/></group>",
+        """
+        /one {} {}
+        /two {a=1} {unused=/x}
+        /three {a=2} {unused=/x}
+        Does what this group sets for all of its nodes end with it? It is taken to; but ROS 2 adds \
+        remappings and parameters to what is set around the group.
+        """);
+  }
+
+  @Test
+  void groupsInYamlAndPythonMayHaveConfigurations() throws IOException {
+    write(
+        "part.launch.yaml",
+        """
+        launch:
+        - group:
+            scoped: true
+            keep: [{name: side, value: yaml}]
+            children:
+            - node: {pkg: braking, exec: brake, name: $(var side)}
+        """);
+    checkPython(
+        """
+            part = [FindPackageShare("braking"), "/launch/part.launch.yaml"]
+            kept = {"side": "python"}
+            side = LaunchConfiguration("side", default="none")
+            return LaunchDescription([
+                IncludeLaunchDescription(AnyLaunchDescriptionSource(part)),
+                GroupAction(
+                    [PushROSNamespace("space"), Node(package="braking", executable="brake", name=side)],
+                    launch_configurations=kept,
+                ),
+                SetLaunchConfiguration("side", "set"),
+                UnsetLaunchConfiguration("side"),
+                Node(package="braking", executable="brake", name=side),
+            ])
+        """,
+        """
+        /yaml {} {}
+        /space/python {} {}
+        /none {} {}
+        """);
+  }
+
+  private void checkPython(String body, String expected) throws IOException {
+    write("all.launch.py", "def generate_launch_description():\n" + body);
+    check(expected);
+  }
+
+  private void check(String elements, String expected) throws IOException {
+    write("all.launch.xml", "<launch>" + elements + "</launch>");
+    check(expected);
+  }
+
+  private void check(String expected) {
+    FoundSoftware found = Workspace.read(folder, Optional.empty(), PYTHON);
+    StringBuilder said = new StringBuilder();
+    for (FoundNode node : found.nodes()) {
+      PythonNode python = node.python().orElseThrow();
+      said.append("%s %s %s%n".formatted(node.name(), python.parameters(), python.remappings()));
+    }
+    found.questions().stream()
+        .filter(each -> each.file().contains("/launch/"))
+        .filter(each -> !each.text().startsWith("Are these nodes a part"))
+        .forEach(each -> said.append(each.text()).append('\n'));
+    assertEquals(expected, said.toString());
+  }
+
+  private void write(String name, String text) throws IOException {
+    Path launch = folder.resolve("src/braking/launch");
+    if (!Files.exists(launch)) {
+      copyWithoutLaunchFiles();
+      Files.createDirectories(launch);
+    }
+    Files.writeString(launch.resolve(name), text);
+  }
+
+  private void copyWithoutLaunchFiles() throws IOException {
+    Path from = Path.of("src/test/resources/ws");
+    try (var files = Files.walk(from)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        Path to = folder.resolve(from.relativize(file).toString());
+        if (!file.getParent().endsWith("launch")) {
+          Files.createDirectories(to.getParent());
+          Files.copy(file, to);
+        }
+      }
+    }
+  }
+}
