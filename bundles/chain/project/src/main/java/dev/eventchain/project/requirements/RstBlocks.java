@@ -20,6 +20,7 @@ final class RstBlocks extends TextBlocks {
   private static final Pattern COMMENT = Pattern.compile("\\s*\\.\\.(\\s.*)?");
   private static final Pattern OPTION = Pattern.compile("\\s+:([A-Za-z0-9_ -]+):\\s*(.*)");
   private static final Pattern NAMED = Pattern.compile("\\s*[A-Za-z][A-Za-z0-9._/-]*[0-9]\\s*");
+  private static final Pattern CLASSIFIED = Pattern.compile("\\s+:\\s.*");
 
   /** Directives whose content is no text. */
   private static final Set<String> CODE =
@@ -35,6 +36,12 @@ final class RstBlocks extends TextBlocks {
           "uml",
           "graphviz",
           "mermaid");
+
+  /** Option of sphinx-needs for the need in which another one is. */
+  static final String AROUND = "parent_needs";
+
+  /** Level of a term of a list of definitions, which is below that of any heading. */
+  static final int TERM = 1_000;
 
   /** Greatest number of directives in each other. */
   private static final int DEEPEST = 20;
@@ -75,7 +82,8 @@ final class RstBlocks extends TextBlocks {
         || RstTables.isBorder(line)
         || isHeading(index)
         || (LINE.matcher(line).matches() && isHeading(index + 1))
-        || isTerm(index);
+        || isTerm(index)
+        || title(index).isPresent();
   }
 
   private boolean isHeading(int index) {
@@ -93,6 +101,29 @@ final class RstBlocks extends TextBlocks {
         && indent(lines.get(index + 1)) > indent(lines.get(index));
   }
 
+  /**
+   * Returns the id and the title of a term of a list of definitions, {@code REQ-1 Title} or {@code
+   * REQ-1 : kind} above what is indented.
+   */
+  private Optional<TextIds.Named> title(int index) {
+    String line = lines.get(index);
+    boolean isTerm =
+        index + 1 < lines.size()
+            && !line.isBlank()
+            && !isEntry(index)
+            && !lines.get(index + 1).isBlank()
+            && !isEntry(index + 1)
+            && indent(lines.get(index + 1)) > indent(line)
+            && (index == 0
+                || lines.get(index - 1).isBlank()
+                || indent(lines.get(index - 1)) > indent(line));
+    return (isTerm ? TextIds.ofHeading(line.strip()) : Optional.<TextIds.Named>empty())
+        .filter(it -> !it.text().isBlank() && !TextIds.isAnother(it))
+        .filter(
+            it ->
+                TextIds.ofLine(line.strip()).isEmpty() || CLASSIFIED.matcher(it.text()).matches());
+  }
+
   @Override
   void special() {
     String line = lines.get(next);
@@ -107,6 +138,8 @@ final class RstBlocks extends TextBlocks {
       RstTables.read(this, source, reading);
     } else if (isTerm(next)) {
       lines.set(next, line.stripTrailing() + ":");
+    } else if (title(next).isPresent()) {
+      definition(title(next).get());
     } else {
       heading();
     }
@@ -133,6 +166,26 @@ final class RstBlocks extends TextBlocks {
     int level = levels.indexOf(style) + 1;
     blocks.add(new TextBlock.Heading(number(next), level, lines.get(next).strip()));
     next += 2;
+  }
+
+  /**
+   * Reads a term with its definition like a heading with its text, which ends with it; a title that
+   * requires something begins the text.
+   */
+  private void definition(TextIds.Named term) {
+    if (TextKinds.isRequirement(term.text())) {
+      String indent = " ".repeat(indent(lines.get(next)));
+      lines.set(
+          next, indent + term.id() + ": " + term.text().replaceFirst("^\\s*:\\s", "").strip());
+      return;
+    }
+    int level = TERM + indent(lines.get(next));
+    blocks.add(new TextBlock.Heading(number(next), level, lines.get(next).strip()));
+    int indent = indent(lines.get(next));
+    int first = ++next;
+    skipBelow(indent);
+    inner(new ArrayList<>(lines.subList(first, next)), before + first);
+    blocks.add(new TextBlock.Heading(number(next - 1), level, ""));
   }
 
   private void skipBelow(int indent) {
@@ -170,11 +223,53 @@ final class RstBlocks extends TextBlocks {
     } else if (name.equals("csv-table")) {
       tables.ofCsv(source, reading).ifPresent(blocks::add);
     } else if (options.containsKey(idOption())) {
-      String text = String.join(" ", content);
-      blocks.add(new TextBlock.Directive(number(first), name, title, options, text));
+      need(new TextBlock.Directive(number(first), name, title, options, ""), content, above);
     } else if (!CODE.contains(name)) {
       inner(content, above);
     }
+  }
+
+  /** Adds a directive with an id, and those in it, whose texts are not a part of its own. */
+  private void need(TextBlock.Directive need, List<String> content, int above) {
+    List<String> text = new ArrayList<>();
+    List<TextBlock> nested = new ArrayList<>();
+    RstBlocks inside = inside(content, above);
+    while (inside.next < content.size()) {
+      int at = inside.next;
+      String line = content.get(at);
+      Matcher directive = DIRECTIVE.matcher(line);
+      boolean isDirective = directive.matches();
+      if (isDirective && inside.isNeed(at + 1)) {
+        inside.directive(directive);
+      } else {
+        inside.next++;
+        if (isDirective ? CODE.contains(directive.group(1)) : COMMENT.matcher(line).matches()) {
+          inside.skipBelow(indent(line));
+        }
+        text.addAll(content.subList(at, inside.next));
+      }
+    }
+    for (TextBlock block : inside.blocks) {
+      if (block instanceof TextBlock.Directive inner) {
+        inner.options().putIfAbsent(AROUND, need.options().get(idOption()));
+      }
+      nested.add(block);
+    }
+    blocks.add(
+        new TextBlock.Directive(
+            need.line(), need.name(), need.title(), need.options(), String.join(" ", text)));
+    blocks.addAll(nested);
+  }
+
+  /** Returns whether options that begin in a line have an id. */
+  private boolean isNeed(int index) {
+    for (int i = index; i < lines.size() && OPTION.matcher(lines.get(i)).matches(); i++) {
+      Matcher option = OPTION.matcher(lines.get(i));
+      if (option.matches() && option.group(1).strip().equals(idOption())) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Reads a file in the place of a directive, with its indent, unless it is code. */
@@ -209,11 +304,15 @@ final class RstBlocks extends TextBlocks {
   }
 
   private void inner(List<String> content, int above) {
+    blocks.addAll(inside(content, above).read());
+  }
+
+  private RstBlocks inside(List<String> content, int above) {
     if (depth >= DEEPEST) {
       String message = "More than %d directives are in each other.".formatted(DEEPEST);
       throw Reading.refused(message, source.at(above, 1), "Take some of them out.");
     }
-    blocks.addAll(new RstBlocks(content, above, file, new ArrayList<>(), this).read());
+    return new RstBlocks(content, above, file, new ArrayList<>(), this);
   }
 
   private String idOption() {

@@ -141,34 +141,59 @@ final class RstFiles {
   }
 
   /**
-   * Returns the lines of a file that a directive takes in, and the number of lines in front of
-   * them; empty with a finding if a text is not there that it names.
+   * Returns what a directive takes in of a file: first lines are cut, and then texts are looked for
+   * in what is left, as docutils does; empty with a finding if one is not there.
    */
   Optional<Part> part(Open file, Map<String, String> options, SourceLocation place) {
-    String text = file.source().text();
-    List<String> lines = TextItems.lines(file.source());
-    int first = number(options, "start-line", 0, lines.size());
-    int last = number(options, "end-line", lines.size(), lines.size());
+    SourceText source = file.source();
+    int lines = TextItems.lines(source).size();
+    int first = number(options, "start-line", 0, lines);
+    int last = Math.max(first, number(options, "end-line", lines, lines));
+    int from = offset(source, first);
+    int to = offset(source, last);
     String after = options.getOrDefault("start-after", "");
-    String until = options.getOrDefault("end-before", "");
-    int from = after.isEmpty() ? 0 : text.indexOf(after) + after.length();
-    int to = until.isEmpty() ? text.length() : text.indexOf(until, from);
-    if (from < after.length() || to < 0) {
-      reading.unread(
-          "The file has no text '"
-              + (to < 0 ? until : after)
-              + "', from which or up to which it is"
-              + " taken in.",
-          place,
-          "Write the text as it is in the file.");
+    int begin = after.isEmpty() ? from : found(source, after, from, to, place);
+    if (begin < 0) {
       return Optional.empty();
     }
-    first = after.isEmpty() ? first : Math.max(first, file.source().at(from).line());
-    last = until.isEmpty() ? last : Math.min(last, file.source().at(to).line() - 1);
-    if (first == 0 && last == lines.size()) {
+    from = begin + after.length();
+    String until = options.getOrDefault("end-before", "");
+    to = until.isEmpty() ? to : found(source, until, from, to, place);
+    if (to < 0) {
+      return Optional.empty();
+    }
+    if (from == 0 && to == source.text().length()) {
       included.add(file.file());
     }
-    return Optional.of(new Part(lines.subList(first, Math.max(first, last)), first));
+    return Optional.of(
+        new Part(source.text().substring(from, to).lines().toList(), source.at(from).line() - 1));
+  }
+
+  private static int offset(SourceText source, int before) {
+    String text = source.text();
+    int offset = 0;
+    for (int i = 0; i < before && offset < text.length(); i++) {
+      int end = offset;
+      while (end < text.length() && "\r\n".indexOf(text.charAt(end)) < 0) {
+        end++;
+      }
+      boolean isPair = text.startsWith("\r\n", end);
+      offset = Math.min(text.length(), end + (isPair ? 2 : 1));
+    }
+    return offset;
+  }
+
+  /** Returns where a text is between two offsets; -1 with a finding if it is not there. */
+  private int found(SourceText source, String text, int from, int to, SourceLocation place) {
+    int at = source.text().indexOf(text, from);
+    if (at < 0 || at + text.length() > to) {
+      reading.unread(
+          "The file has no text '" + text + "', from which or up to which it is taken in.",
+          place,
+          "Write the text as it is in the file.");
+      return -1;
+    }
+    return at;
   }
 
   /** Lines of a file, and the number of lines in front of them. */

@@ -31,6 +31,10 @@ final class TextKinds {
                   + " ecma")
               .split(" "));
 
+  /** Last words of compound kinds, such as {@code ISO-REQ}, that no usual name has. */
+  private static final Pattern OF_REQUIREMENTS =
+      Pattern.compile("(?i)[a-z]*req|reqs|requirements?|fr|nfr|sr|fsr|tsr|hsr|ssr|sg|stkh");
+
   private static final Pattern REQUIRED =
       Pattern.compile(
           "(?i)\\b(?:shall|must|should|will|(?:has|have|needs?) to|(?:is|are) required"
@@ -60,10 +64,10 @@ final class TextKinds {
     return REQUIRED.matcher(text).find();
   }
 
-  /** Returns whether an id begins with a usual name. */
+  /** Returns whether an id begins with a usual name, and says not that it is of a requirement. */
   static boolean isName(String id) {
-    String kind = kind(id).toLowerCase(Locale.ROOT);
-    return NAMES.contains(kind.split("[-_./]", 2)[0]);
+    String[] words = kind(id).toLowerCase(Locale.ROOT).split("[-_./]");
+    return NAMES.contains(words[0]) && !OF_REQUIREMENTS.matcher(words[words.length - 1]).matches();
   }
 
   static String kind(String id) {

@@ -40,6 +40,7 @@ final class TextOutline {
   private final TextKinds kinds;
   private SourceText source;
   private final List<Open> all = new ArrayList<>();
+  private final List<Optional<Open>> around = new ArrayList<>();
   private Open heading;
   private Open entry;
 
@@ -101,6 +102,12 @@ final class TextOutline {
     entry = null;
     Optional<TextIds.Named> named =
         TextIds.ofHeading(found.text()).filter(it -> isItem(it, kinds.isHeading(it), found.line()));
+    if (found.level() >= RstBlocks.TERM && named.isEmpty()) {
+      term(found);
+      return;
+    } else if (found.level() >= RstBlocks.TERM) {
+      around.add(Optional.ofNullable(heading));
+    }
     boolean continues =
         heading != null
             && heading.text.isEmpty()
@@ -118,6 +125,16 @@ final class TextOutline {
       all.add(heading);
     } else if (!continues) {
       heading = null;
+    }
+  }
+
+  /** Goes on with a text around a term that is no item, or that ends. */
+  private void term(TextBlock.Heading found) {
+    if (found.text().isEmpty()) {
+      heading = around.remove(around.size() - 1).orElse(null);
+    } else {
+      around.add(Optional.ofNullable(heading));
+      goOn(heading, found.text());
     }
   }
 
@@ -180,7 +197,7 @@ final class TextOutline {
   private void directive(TextBlock.Directive found) {
     List<String> links = new ArrayList<>(reading.fields.parents());
     if (links.isEmpty()) {
-      links.add("links");
+      links.addAll(List.of("links", RstBlocks.AROUND));
     }
     String id = found.options().get(reading.fields.id().orElse("id"));
     String text =
