@@ -67,10 +67,8 @@ final class FormattedFiles {
                 .withHint("Name what it leads to: " + real));
       } else if (isFolder) {
         addFolder(named, real);
-      } else if (TextFormat.of(named).isPresent()) {
-        files.putIfAbsent(real, named);
       } else {
-        found.add(nothing(named, "This is no file of constraints, no template and no YAML."));
+        addFile(named, real);
       }
     } catch (NoSuchFileException e) {
       throw new DiagnosticException(
@@ -79,6 +77,21 @@ final class FormattedFiles {
               FileRules.MISSING, "There is no such file or folder.", SourceLocation.of(named)));
     } catch (IOException e) {
       throw FileRules.refusal("The file or folder", named, e);
+    }
+  }
+
+  private void addFile(Path named, Path real) {
+    if (TextFormat.of(named).isEmpty()) {
+      found.add(nothing(named, "This is no file of constraints, no template and no YAML."));
+    } else if (isInRuns(real) || writtenAround(real).contains(real)) {
+      found.add(
+          Diagnostic.of(
+                  FormatRules.SKIPPED,
+                  "The file is left as it is, since it is a result or a recording.",
+                  SourceLocation.of(named))
+              .withHint("Leave it out: the next run writes it again as it was."));
+    } else {
+      files.putIfAbsent(real, named);
     }
   }
 
@@ -103,8 +116,7 @@ final class FormattedFiles {
 
   private void addFolder(Path named, Path real) throws IOException {
     List<Path> inside = new ArrayList<>();
-    if (Stream.iterate(real, Objects::nonNull, Path::getParent)
-        .noneMatch(FormattedFiles::isOfRuns)) {
+    if (!isInRuns(real)) {
       Files.walkFileTree(real, new Walk(real, inside));
     }
     if (inside.isEmpty()) {
@@ -113,6 +125,29 @@ final class FormattedFiles {
     inside.stream()
         .sorted()
         .forEach(each -> files.putIfAbsent(each, named.resolve(real.relativize(each))));
+  }
+
+  private static Stream<Path> andAbove(Path path) {
+    return Stream.iterate(path, Objects::nonNull, Path::getParent);
+  }
+
+  private static boolean isInRuns(Path real) {
+    return andAbove(real).anyMatch(FormattedFiles::isOfRuns);
+  }
+
+  /** Returns the files that the records of the folders above a file or folder name. */
+  private static Set<Path> writtenAround(Path real) {
+    Set<Path> written = new HashSet<>();
+    andAbove(real.getParent()).forEach(folder -> addWritten(folder, written));
+    return written;
+  }
+
+  private static void addWritten(Path folder, Set<Path> written) {
+    try {
+      OutputFolder.writtenBelow(folder).forEach(name -> written.add(folder.resolve(name)));
+    } catch (IOException | InvalidPathException e) {
+      // With unreadable records, no file counts as written by the program.
+    }
   }
 
   /** Returns whether a folder is that of the results or the recordings of a project. */
@@ -126,11 +161,12 @@ final class FormattedFiles {
 
     private final Path root;
     private final List<Path> inside;
-    private final Set<Path> written = new HashSet<>();
+    private final Set<Path> written;
 
     Walk(Path root, List<Path> inside) {
       this.root = root;
       this.inside = inside;
+      written = writtenAround(root);
     }
 
     @Override
@@ -138,16 +174,8 @@ final class FormattedFiles {
       if (!folder.equals(root) && isPassedOver(folder)) {
         return FileVisitResult.SKIP_SUBTREE;
       }
-      addWritten(folder);
+      addWritten(folder, written);
       return FileVisitResult.CONTINUE;
-    }
-
-    private void addWritten(Path folder) {
-      try {
-        OutputFolder.writtenBelow(folder).forEach(name -> written.add(folder.resolve(name)));
-      } catch (IOException | InvalidPathException e) {
-        // With unreadable records, no file counts as written by the program.
-      }
     }
 
     private static boolean isPassedOver(Path folder) {

@@ -167,6 +167,24 @@ class FormattingTest {
     }
   }
 
+  /** As a hook names them, which passes each file of a commit. */
+  @Test
+  void resultsThatAreNamedAreLeftOutAndSaid() throws IOException {
+    file("p/eventchain.yaml", "name: x\n");
+    file("elsewhere/.eventchain/files.json", "{\"a/written.ocl\": \"0\"}");
+    Path result = file("p/out/x/a.ocl", RULES);
+    Path recording = file("p/recordings/b.yaml", "a:   1  \n");
+    Path written = file("elsewhere/a/written.ocl", RULES);
+    Path own = file("elsewhere/a/own.ocl", RULES);
+    Formatting.Result formatted = format(result, recording, written, own);
+    assertEquals(List.of(own), formatted.changed());
+    assertEquals(
+        List.of("a.ocl format.skipped", "b.yaml format.skipped", "written.ocl format.skipped"),
+        found(formatted));
+    assertEquals(RULES, Files.readString(written));
+    assertEquals(List.of("elsewhere/a/own.ocl"), names(format(own.getParent()).files()));
+  }
+
   @Test
   void theExamplesAreFormatted() {
     Formatting.Result result =
