@@ -1,6 +1,7 @@
 package dev.eventchain.messages;
 
 import dev.eventchain.messages.MessageType.Constant;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -8,7 +9,7 @@ import java.util.Optional;
 /**
  * The constants of a message that name values of a field: those with its type. Constants that begin
  * with the name of a field are those of this field only, as {@code POWER_SUPPLY_STATUS_FULL} is of
- * {@code power_supply_status}.
+ * {@code power_supply_status}, and not of {@code power_supply}: the longest name counts.
  */
 public final class FieldConstants {
 
@@ -32,16 +33,19 @@ public final class FieldConstants {
     }
     List<Constant> alike =
         message.constants().stream().filter(it -> it.type().kind() == type.get().kind()).toList();
-    List<Constant> own = alike.stream().filter(it -> isOf(field, it)).toList();
+    List<Constant> own =
+        alike.stream().filter(it -> owner(message, it).equals(Optional.of(field))).toList();
     return own.isEmpty()
-        ? alike.stream()
-            .filter(it -> message.fields().stream().noneMatch(other -> isOf(other.name(), it)))
-            .toList()
+        ? alike.stream().filter(it -> owner(message, it).isEmpty()).toList()
         : own;
   }
 
-  private static boolean isOf(String field, Constant constant) {
-    return constant.name().startsWith(field.toUpperCase(Locale.ROOT) + "_");
+  /** Returns the field with the longest name that a constant begins with. */
+  private static Optional<String> owner(MessageType message, Constant constant) {
+    return message.fields().stream()
+        .map(MessageType.Field::name)
+        .filter(it -> constant.name().startsWith(it.toUpperCase(Locale.ROOT) + "_"))
+        .max(Comparator.comparingInt(String::length));
   }
 
   private static boolean isWholeNumberOrText(FieldType type) {

@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.formula;
 
+import dev.eventchain.simulation.verdict.Curve;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -58,12 +59,12 @@ public record NamedValues(List<Value> values, boolean isText) {
 
   /** Returns the first name of a number, in the unit of the signal. */
   public Optional<String> nameOf(double number) {
-    return values.stream().filter(it -> areSame(it.number(), number)).map(Value::name).findFirst();
+    return Curve.at(number, values, Value::number).stream().map(Value::name).findFirst();
   }
 
   /** Returns whether a number, in the unit of the signal, has a name, which others may have too. */
   boolean isNamed(double number, String name) {
-    return values.stream().anyMatch(it -> it.name().equals(name) && areSame(it.number(), number));
+    return Curve.at(number, values, Value::number).stream().anyMatch(it -> it.name().equals(name));
   }
 
   /** Returns all numbers with names, and one without: even a text may be none of those known. */
@@ -72,12 +73,5 @@ public record NamedValues(List<Value> values, boolean isText) {
             values.stream().mapToDouble(Value::number).distinct(),
             DoubleStream.of(Double.MAX_VALUE))
         .toArray();
-  }
-
-  /** Returns whether two numbers are equal but for their conversions, or as floats. */
-  private static boolean areSame(double known, double number) {
-    boolean isWhole = known == Math.rint(known);
-    return Math.abs(known - number) <= 1e-12 * Math.max(1.0, Math.abs(known))
-        || (!isWhole && (float) known == (float) number);
   }
 }

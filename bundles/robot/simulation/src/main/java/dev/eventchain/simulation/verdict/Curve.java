@@ -2,6 +2,7 @@ package dev.eventchain.simulation.verdict;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 
 /**
  * A quantity over time.
@@ -14,6 +15,12 @@ import java.util.Optional;
  */
 public record Curve(
     String name, String unit, String absence, List<Double> values, List<Name> names) {
+
+  /** What conversions of units add, as a part of a number. */
+  private static final double ROUNDING = 1e-12;
+
+  /** The most that they may add: whole numbers have others beside them. */
+  private static final double MOST_ROUNDING = 0.25;
 
   /** A value with a name. */
   public record Name(double value, String name) {}
@@ -29,11 +36,25 @@ public record Curve(
     this(name, unit, absence, values, List.of());
   }
 
-  /** Returns the name of a value. */
+  /** Returns the first name of a value. */
   public Optional<String> nameOf(double value) {
-    return names.stream()
-        .filter(each -> Math.abs(each.value() - value) <= 1e-6 * Math.max(1.0, Math.abs(value)))
-        .map(Name::name)
-        .findFirst();
+    return at(value, names, Name::value).stream().map(Name::name).findFirst();
+  }
+
+  /**
+   * Returns those of some known values that a number is: equal ones or, without any, those that are
+   * equal but for a conversion of units, or as floats.
+   */
+  public static <T> List<T> at(double number, List<T> known, ToDoubleFunction<T> value) {
+    List<T> equal = known.stream().filter(it -> value.applyAsDouble(it) == number).toList();
+    return equal.isEmpty()
+        ? known.stream().filter(it -> areSame(value.applyAsDouble(it), number)).toList()
+        : equal;
+  }
+
+  private static boolean areSame(double known, double number) {
+    boolean isWhole = known == Math.rint(known);
+    double rounding = Math.min(MOST_ROUNDING, ROUNDING * Math.max(1.0, Math.abs(known)));
+    return Math.abs(known - number) <= rounding || (!isWhole && (float) known == (float) number);
   }
 }

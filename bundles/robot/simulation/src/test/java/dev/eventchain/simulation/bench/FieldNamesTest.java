@@ -49,6 +49,7 @@ class FieldNamesTest {
         "/gear.data   | numbers [Reverse 7.0]",
         "/free.data   | unknown",
         "/door.state  | numbers [STATE_CLOSED 0.0, STATE_OPEN 1.0]",
+        "/door.state_lamp | numbers [STATE_LAMP_LIT 2.0]",
         "/door.side   | numbers [LEFT 0.0, RIGHT 1.0]",
         "/door.count  | numbers []",
         "/door.colour | texts [red 0.0, green 1.0]",

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.formula;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import dev.eventchain.diagnostics.Diagnostic;
@@ -79,6 +80,24 @@ class NamedValuesTest {
     trace.sample("/level.data", 0, level.dimension().coherent(1));
     trace.sample("/level.data", 500_000_000L, level.dimension().coherent(25.4f));
     return trace;
+  }
+
+  @Test
+  void numbersThatAreCloseHaveNamesOfTheirOwn() {
+    double large = 1e15;
+    NamedValues names =
+        NamedValues.ofNumbers(
+            List.of(
+                new NamedValues.Value("FIRST", large),
+                new NamedValues.Value("NEXT", large + 1),
+                new NamedValues.Value("TENTH", 0.1),
+                new NamedValues.Value("MORE", 0.1 + 1e-10)));
+    assertEquals(Optional.of("NEXT"), names.nameOf(large + 1));
+    assertEquals(Optional.empty(), names.nameOf(large + 2));
+    assertEquals(Optional.of("MORE"), names.nameOf(0.1 + 1e-10));
+    assertEquals(Optional.of("TENTH"), names.nameOf(0.1f));
+    assertFalse(names.isNamed(large, "NEXT"));
+    assertFalse(names.isNamed(0.1, "MORE"));
   }
 
   private static Formula parse(String formula) {
