@@ -99,6 +99,29 @@ class AgentChangesTest extends AgentSession {
     assertTrue(applied.at("/content/0/text").asText().contains("Unchecked"), applied.toString());
   }
 
+  @Test
+  void measuredTimesAreAProposal() throws Exception {
+    Files.writeString(folder.resolve("drive.txt"), "trace");
+    Files.writeString(folder.resolve("other.txt"), "trace");
+    JsonNode measured = client.begun().call("measure", trace("drive.txt")).path("structuredContent");
+    assertEquals(0, measured.path("exitCode").asInt(-1));
+    assertEquals(0, measured.at("/check/exitCode").asInt(-1));
+    assertTrue(measured.path("checked").asBoolean());
+    assertTrue(measured.path("diff").asText().endsWith("-# One\n+# Longer\n"), measured.toString());
+    assertEquals("# One\n", Files.readString(folder.resolve("p/requirements.md")));
+    // The proposal of another trace is none of this one.
+    JsonNode other = client.call("measure", trace("other.txt")).path("structuredContent");
+    assertFalse(other.has("proposal"), other.toString());
+    client.text("apply", Map.of("proposal", measured.path("proposal").asText()));
+    assertEquals("# Longer\n", Files.readString(folder.resolve("p/requirements.md")));
+    assertTrue(client.text("measure", trace("drive.txt")).contains("[mcp.change]"));
+    assertTrue(client.text("measure", trace("../drive.txt")).contains("[mcp.outside]"));
+  }
+
+  private static Map<String, Object> trace(String name) {
+    return Map.of("project", "p", "trace", name);
+  }
+
   @ParameterizedTest
   @CsvSource({
     "eventchain.yaml, name, mcp.protected",

@@ -326,7 +326,7 @@ class AgentServerTest extends AgentSession {
   @Test
   void schemasOfToolsAreStrict() throws Exception {
     JsonNode tools = client.begun().request("tools/list", Map.of()).at("/result/tools");
-    assertEquals(15, tools.size());
+    assertEquals(16, tools.size());
     for (JsonNode tool : tools) {
       assertFalse(tool.at("/inputSchema/additionalProperties").asBoolean(true));
       assertTrue(tool.has("outputSchema") && tool.has("annotations"), tool.toString());

@@ -2,6 +2,7 @@ package dev.eventchain.documents;
 
 import com.github.difflib.DiffUtils;
 import com.github.difflib.UnifiedDiffUtils;
+import com.github.difflib.patch.PatchFailedException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -14,6 +15,10 @@ import java.util.Optional;
 public final class UnifiedDiff {
 
   private static final int CONTEXT = 3;
+  private static final String AFTER = "+++ b/";
+
+  /** Stands below a last line without an end. */
+  private static final String MARK = "\n\\ No newline at end of file";
 
   private UnifiedDiff() {}
 
@@ -34,12 +39,58 @@ public final class UnifiedDiff {
     return diff.isEmpty() ? "" : String.join("\n", diff) + "\n";
   }
 
+  /**
+   * Returns the text of a file after a change that {@link #of} has returned.
+   *
+   * @return empty if the text is another one where it changes
+   */
+  public static Optional<String> apply(String diff, String before) {
+    try {
+      List<String> after =
+          UnifiedDiffUtils.parseUnifiedDiff(marked(diff)).applyTo(lines(before));
+      return Optional.of(text(after));
+    } catch (PatchFailedException | IndexOutOfBoundsException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Returns the name of the file that a change is about; empty if it does not say it. */
+  public static Optional<String> file(String diff) {
+    return diff.lines()
+        .skip(1)
+        .findFirst()
+        .filter(line -> line.startsWith(AFTER))
+        .map(line -> line.substring(AFTER.length()).replaceFirst("\t$", ""));
+  }
+
+  /** Returns the lines of a change, each with the mark below it. */
+  private static List<String> marked(String diff) {
+    List<String> lines = new ArrayList<>();
+    for (String line : diff.split("\n")) {
+      if (MARK.equals("\n" + line) && !lines.isEmpty()) {
+        lines.add(lines.remove(lines.size() - 1) + MARK);
+      } else {
+        lines.add(line);
+      }
+    }
+    return lines;
+  }
+
+  private static String text(List<String> lines) {
+    StringBuilder text = new StringBuilder();
+    for (String line : lines) {
+      boolean isOpen = line.endsWith(MARK);
+      text.append(isOpen ? line.substring(0, line.length() - MARK.length()) : line + "\n");
+    }
+    return text.toString();
+  }
+
   /** Returns the lines of a text, without line feeds; the last one may have its mark below it. */
   private static List<String> lines(String text) {
     List<String> lines = new ArrayList<>(List.of(text.split("\n", -1)));
     String last = lines.remove(lines.size() - 1);
     if (!last.isEmpty()) {
-      lines.add(last + "\n\\ No newline at end of file");
+      lines.add(last + MARK);
     }
     return lines;
   }

@@ -47,6 +47,24 @@ class UnifiedDiffTest {
     }
   }
 
+  @Property(tries = 20)
+  void theTextThatTheDiffIsOfIsMadeAgain(@ForAll("changes") List<Change> changes) {
+    for (Change change : changes) {
+      String before = change.before().orElse("");
+      String diff = UnifiedDiff.of("x", change.before(), change.after());
+      assertEquals(Optional.of(change.after()), UnifiedDiff.apply(diff, before), diff);
+    }
+  }
+
+  @Test
+  void aDiffOfAnotherTextIsNotApplied() {
+    String diff = UnifiedDiff.of("a b.txt", Optional.of("a\nb\nc\n"), "a\nB\nc\n");
+    assertEquals(Optional.of("a b.txt"), UnifiedDiff.file(diff));
+    assertEquals(Optional.empty(), UnifiedDiff.apply(diff, "a\nx\nc\n"));
+    assertEquals(Optional.empty(), UnifiedDiff.apply(diff, ""));
+    assertEquals(Optional.empty(), UnifiedDiff.file("no diff"));
+  }
+
   private static String name(int number) {
     return "file " + number + ".txt";
   }

@@ -91,6 +91,17 @@ public record Boundary(Path root) {
   }
 
   /**
+   * Returns a path that a client has named as an argument of a command.
+   *
+   * @throws DiagnosticException if it leads out of the folder, by itself or by a link below it
+   */
+  public String closed(String name) {
+    Path path = inside(name);
+    requireClosed(path);
+    return argument(path);
+  }
+
+  /**
    * Fails if a symbolic link below a folder leads out of the server's folder: a command would
    * follow it.
    */

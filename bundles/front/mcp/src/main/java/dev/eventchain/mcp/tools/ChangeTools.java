@@ -1,8 +1,11 @@
 package dev.eventchain.mcp.tools;
 
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.format.DiagnosticFormat;
 import dev.eventchain.mcp.project.Boundary;
 import dev.eventchain.mcp.project.Edit;
 import dev.eventchain.mcp.project.McpRules;
+import dev.eventchain.mcp.project.MeasuredChange;
 import dev.eventchain.mcp.project.ProjectFiles;
 import dev.eventchain.mcp.project.Proposal;
 import dev.eventchain.mcp.project.TrialCopy;
@@ -45,15 +48,19 @@ final class ChangeTools {
 
   /** Returns the tools. */
   List<Tool> all() {
-    return List.of(propose(), apply());
+    return List.of(propose(), measure(), apply());
   }
 
-  private Tool propose() {
+  private static Map<String, Object> output() {
     Map<String, Object> output = new LinkedHashMap<>(Commands.OUTPUT);
     output.put("proposal", Map.of("type", "string", "description", "Its name, for 'apply'."));
     output.put("checked", CHECKED);
     output.put("diff", Map.of("type", "string", "description", "The change as a unified diff."));
     output.put("judges", judges());
+    return output;
+  }
+
+  private Tool propose() {
     return new Tool(
         "propose",
         "Check a change without making it",
@@ -73,7 +80,7 @@ final class ChangeTools {
                 "check",
                 "What checks the copy: 'validate' (the default, seconds) or 'run' (to a verdict).",
                 List.of("validate", "run"))),
-        output,
+        output(),
         this::proposed);
   }
 
@@ -91,20 +98,86 @@ final class ChangeTools {
     boundary.requireClosed(project);
     List<Edit> edits = arguments.list("edits").stream().map(ChangeTools::edit).toList();
     Proposal proposal = Proposal.of(boundary, project, edits);
+    Result checked = checked(proposal, arguments.text("check", "validate"), call);
+    Map<String, Object> structured = new LinkedHashMap<>(checked.structured());
+    structured.putAll(described(proposal, checked));
+    return new Result(
+        textOf(proposal, checked) + checked.text(), structured, checked.failed());
+  }
+
+  /** Checks a proposal on a copy, and keeps it. */
+  private Result checked(Proposal proposal, String command, Call call) {
     Result checked;
     try (TrialCopy copy = TrialCopy.of(boundary, proposal)) {
-      String command = arguments.text("check", "validate");
-      checked = commands.report(List.of(command, boundary.argument(project)), copy.folder(), call);
+      List<String> arguments = List.of(command, boundary.argument(proposal.project()));
+      checked = commands.report(arguments, copy.folder(), call);
     }
     keep(new Checked(proposal, !checked.failed()));
-    Map<String, Object> structured = new LinkedHashMap<>(checked.structured());
+    return checked;
+  }
+
+  private static Map<String, Object> described(Proposal proposal, Result checked) {
+    Map<String, Object> structured = new LinkedHashMap<>();
     structured.put("proposal", proposal.id());
     structured.put("checked", !checked.failed());
     structured.put("diff", proposal.diff());
     structured.put("judges", proposal.judges());
+    return structured;
+  }
+
+  private static String textOf(Proposal proposal, Result checked) {
     String head = "Proposal " + proposal.id() + (checked.failed() ? ", unchecked" : "") + "\n";
-    String text = head + proposal.diff() + "\n" + checked.text();
-    return new Result(text, structured, checked.failed());
+    return head + proposal.diff() + "\n";
+  }
+
+  private Tool measure() {
+    Map<String, Object> output = output();
+    output.put(
+        "check", Map.of("type", "object", "description", "What 'validate' said of the change."));
+    return new Tool(
+        "measure",
+        "Measure a project's chain in a recorded trace",
+        "Compares a trace of the nodes that ros2_tracing has recorded with the numbers of the"
+            + " model. Worst cases of components that took longer than stated are a proposal, which"
+            + " is checked but not made: what was measured on one machine is no bound.",
+        Effect.ADDS,
+        List.of(
+            CommandTools.PROJECT,
+            Parameter.required(
+                "trace",
+                ArgumentType.TEXT,
+                "The folder of the trace, or the text of babeltrace2, relative to the server's"
+                    + " folder.")),
+        output,
+        this::measured);
+  }
+
+  private Result measured(Arguments arguments, Call call) {
+    Path project = boundary.inside(arguments.text("project", "."));
+    boundary.requireClosed(project);
+    String trace = boundary.closed(arguments.text("trace", ""));
+    MeasuredChange change = MeasuredChange.before(project);
+    Result measured =
+        commands.report(List.of("measure", boundary.argument(project), trace), call);
+    if (measured.failed()) {
+      return measured;
+    }
+    try {
+      return change.proposal(boundary).map(it -> proposed(measured, it, call)).orElse(measured);
+    } catch (DiagnosticException e) {
+      String refused = DiagnosticFormat.TEXT.render(e.diagnostics());
+      return new Result(measured.text() + "\n" + refused, measured.structured(), false);
+    }
+  }
+
+  /** Adds a proposal with its check to what was measured. */
+  private Result proposed(Result measured, Proposal proposal, Call call) {
+    Result checked = checked(proposal, "validate", call);
+    Map<String, Object> structured = new LinkedHashMap<>(measured.structured());
+    structured.putAll(described(proposal, checked));
+    structured.put("check", checked.structured());
+    String text = measured.text() + "\n" + textOf(proposal, checked) + checked.text();
+    return new Result(text, structured, false);
   }
 
   private static Edit edit(Object json) {

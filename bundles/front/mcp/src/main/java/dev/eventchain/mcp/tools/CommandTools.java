@@ -7,7 +7,6 @@ import dev.eventchain.mcp.tools.Tool.Call;
 import dev.eventchain.mcp.tools.Tool.Effect;
 import dev.eventchain.mcp.tools.Tool.Result;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -308,11 +307,8 @@ final class CommandTools {
     return arguments.text("project", ".");
   }
 
-  /** Returns an argument for a path inside that no link leads out of. */
   private String closed(String name) {
-    Path path = boundary.inside(name);
-    boundary.requireClosed(path);
-    return boundary.argument(path);
+    return boundary.closed(name);
   }
 
   private static void requireNoProject(Arguments arguments) {
