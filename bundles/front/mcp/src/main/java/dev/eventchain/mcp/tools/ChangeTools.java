@@ -51,16 +51,12 @@ final class ChangeTools {
     return List.of(propose(), measure(), apply());
   }
 
-  private static Map<String, Object> output() {
+  private Tool propose() {
     Map<String, Object> output = new LinkedHashMap<>(Commands.OUTPUT);
     output.put("proposal", Map.of("type", "string", "description", "Its name, for 'apply'."));
     output.put("checked", CHECKED);
     output.put("diff", Map.of("type", "string", "description", "The change as a unified diff."));
     output.put("judges", judges());
-    return output;
-  }
-
-  private Tool propose() {
     return new Tool(
         "propose",
         "Check a change without making it",
@@ -80,7 +76,7 @@ final class ChangeTools {
                 "check",
                 "What checks the copy: 'validate' (the default, seconds) or 'run' (to a verdict).",
                 List.of("validate", "run"))),
-        output(),
+        output,
         this::proposed);
   }
 
@@ -131,23 +127,22 @@ final class ChangeTools {
   }
 
   private Tool measure() {
-    Map<String, Object> output = output();
-    output.put(
-        "check", Map.of("type", "object", "description", "What 'validate' said of the change."));
+    Map<String, Object> output = new LinkedHashMap<>(Commands.OUTPUT);
+    output.put("proposal", Map.of("type", "string"));
+    output.put("diff", Map.of("type", "string"));
+    output.put("check", Map.of("type", "object", "description", "What 'validate' says of it."));
     return new Tool(
         "measure",
-        "Measure a project's chain in a recorded trace",
-        "Compares a trace of the nodes that ros2_tracing has recorded with the numbers of the"
-            + " model. Worst cases of components that took longer than stated are a proposal, which"
-            + " is checked but not made: what was measured on one machine is no bound.",
+        "Measure a chain in a trace",
+        "Compares a trace of ros2_tracing with the model. Worst cases that were exceeded are a"
+            + " proposal, as of 'propose'; what one machine needed is no bound.",
         Effect.ADDS,
         List.of(
             CommandTools.PROJECT,
             Parameter.required(
                 "trace",
                 ArgumentType.TEXT,
-                "The folder of the trace, or the text of babeltrace2, relative to the server's"
-                    + " folder.")),
+                "The trace's folder, or the text of babeltrace2, in the server's folder.")),
         output,
         this::measured);
   }
