@@ -13,6 +13,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
@@ -82,6 +83,28 @@ public final class ChainLatency {
         end = each.since();
       }
       return new Latency(passage.time(), List.copyOf(parts));
+    }
+  }
+
+  /**
+   * Stimuli on which no output is based, from the first one on that has an output.
+   *
+   * @param count their number
+   * @param untilLater the longest time from one of them to the first output that is based on a
+   *     later stimulus, in ns; 0 if there is none
+   * @param untilEnd the time from the first of those without such an output to the end, in ns; 0 if
+   *     there is none
+   */
+  public record Unanswered(int count, long untilLater, long untilEnd) {
+
+    /** No stimulus. */
+    public static final Unanswered NONE = new Unanswered(0, 0, 0);
+
+    private Unanswered and(Unanswered other) {
+      return new Unanswered(
+          count + other.count,
+          Math.max(untilLater, other.untilLater),
+          Math.max(untilEnd, other.untilEnd));
     }
   }
 
@@ -167,6 +190,65 @@ public final class ChainLatency {
       }
     }
     return latencies;
+  }
+
+  /**
+   * Returns the stimuli of a node that the outputs of another one left out. A reaction to what they
+   * told takes until an output is based on a later one.
+   *
+   * @param end the time until which outputs are known, in ns
+   */
+  public static Unanswered unanswered(RunLog log, String first, String last, long end) {
+    Map<String, Integer> positions = ActivationOrder.of(log, Set.of(first));
+    Unanswered all = Unanswered.NONE;
+    for (String stimulus : stimuli(log, first, positions.keySet())) {
+      ChainLatency latency = new ChainLatency(log, Set.of(first), positions, 0);
+      TreeMap<Long, Long> answers = new TreeMap<>();
+      for (Step step : latency.steps()) {
+        Passage passage = latency.follow(step, stimulus);
+        if (passage != null && step.node().equals(last) && latency.ends(step)) {
+          answers.merge(passage.origin(), passage.end(), Math::min);
+        }
+      }
+      all = all.and(unanswered(latency.times(stimulus), answers, end));
+    }
+    return all;
+  }
+
+  /** Returns the times of all stimuli. */
+  private List<Long> times(String stimulus) {
+    return stimulus.isEmpty()
+        ? first.stream()
+            .flatMap(node -> log.nodes().getOrDefault(node, List.of()).stream())
+            .map(Activation::start)
+            .toList()
+        : List.copyOf(log.publications().getOrDefault(stimulus, Map.of()).values());
+  }
+
+  /**
+   * Compares stimuli with the first outputs that are based on them.
+   *
+   * @param answers the times of outputs by those of their stimuli
+   */
+  private static Unanswered unanswered(List<Long> times, TreeMap<Long, Long> answers, long end) {
+    TreeMap<Long, Long> earliest = new TreeMap<>();
+    long next = Long.MAX_VALUE;
+    for (Map.Entry<Long, Long> answer : answers.descendingMap().entrySet()) {
+      next = Math.min(next, answer.getValue());
+      earliest.put(answer.getKey(), next);
+    }
+    Unanswered all = Unanswered.NONE;
+    for (long time : times) {
+      if (!answers.isEmpty() && time > answers.firstKey() && !answers.containsKey(time)) {
+        Map.Entry<Long, Long> later = earliest.higherEntry(time);
+        all =
+            all.and(
+                later == null
+                    ? new Unanswered(1, 0, end - time)
+                    : new Unanswered(1, later.getValue() - time, 0));
+      }
+    }
+    return all;
   }
 
   /**

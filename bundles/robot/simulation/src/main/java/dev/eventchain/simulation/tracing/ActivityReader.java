@@ -49,6 +49,7 @@ final class ActivityReader {
   /** Reads the next event; those of other instrumentation are skipped. */
   void read(TraceEvent event) {
     activity.begin = activity.begin == 0 ? event.time() : activity.begin;
+    activity.end = Math.max(activity.end, event.time());
     if (!event.name().startsWith(PREFIX)) {
       return;
     }
@@ -164,6 +165,9 @@ final class ActivityReader {
     RosActivity.Callback callback = callbacks.get(event.handle("callback"));
     Deque<Execution> stack = stack(event);
     boolean runs = stack.stream().anyMatch(it -> Objects.equals(it.callback, callback));
+    if (runs && !Objects.equals(stack.element().callback, callback)) {
+      activity.mixed.add(event.threadId());
+    }
     while (runs) {
       Execution last = stack.pop();
       if (Objects.equals(last.callback, callback)) {

@@ -5,6 +5,8 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.tracing.TraceEvent.ProcessId;
+import dev.eventchain.simulation.tracing.TraceEvent.ThreadId;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -32,6 +34,8 @@ public final class RecordedTrace {
           + " FOLDER > trace.txt";
 
   private static final Pattern TIME = Pattern.compile("\\[.*?([-0-9,]+) ns from origin\\]");
+  private static final Pattern TRACE = Pattern.compile("\\{Trace ([0-9]+),.*");
+  private static final Pattern HOST = Pattern.compile(" +hostname: (.*)");
   private static final Pattern EVENT = Pattern.compile("Event `([^`]+)`.*");
   private static final Pattern LOST =
       Pattern.compile("Discarded (events|packets)(?: \\(([0-9,]+) .*\\))?");
@@ -45,6 +49,10 @@ public final class RecordedTrace {
   private final ActivityReader reader = new ActivityReader();
   private final Map<String, Long> discarded = new HashMap<>();
   private final Set<String> lost = new TreeSet<>();
+
+  /** The names of the machines or containers, by the numbers of their traces. */
+  private final Map<String, String> hosts = new HashMap<>();
+
   private long events;
   private int begun;
   private int ended;
@@ -97,16 +105,23 @@ public final class RecordedTrace {
 
   private void endMessage() {
     Long time = null;
+    String trace = "";
     for (int i = 0; i < message.size(); i++) {
       String line = message.get(i);
       Matcher stamp = TIME.matcher(line);
       Matcher event = EVENT.matcher(line);
       Matcher discard = LOST.matcher(line);
+      Matcher source = TRACE.matcher(line);
+      Matcher host = HOST.matcher(line);
       if (stamp.lookingAt()) {
         time = number(stamp.group(1));
+      } else if (source.matches()) {
+        trace = source.group(1);
       } else if (event.matches()) {
-        event(event.group(1), time, message.subList(i + 1, message.size()));
+        event(event.group(1), time, trace, message.subList(i + 1, message.size()));
         break;
+      } else if (host.matches()) {
+        hosts.put(trace, host.group(1));
       } else if (discard.matches()) {
         discard(discard);
       } else if (line.startsWith("Stream beginning")) {
@@ -140,7 +155,7 @@ public final class RecordedTrace {
     return SEPARATOR.matcher(number).replaceAll("");
   }
 
-  private void event(String name, Long time, List<String> lines) {
+  private void event(String name, Long time, String trace, List<String> lines) {
     events++;
     if (!name.startsWith("ros2:")) {
       return;
@@ -159,7 +174,10 @@ public final class RecordedTrace {
         block.put(field.group(1), value(field.group(2)));
       }
     }
-    reader.read(new TraceEvent(time, name, id(context, "vpid"), id(context, "vtid"), fields));
+    String host = hosts.getOrDefault(trace, "");
+    String namespace = context.getOrDefault("pid_ns", "");
+    ProcessId process = new ProcessId(host, namespace, id(context, "vpid"));
+    reader.read(new TraceEvent(time, name, process, id(context, "vtid"), fields));
   }
 
   /** Returns a value without the separators that numbers have for people. */
@@ -190,6 +208,18 @@ public final class RecordedTrace {
   /** Returns which events were lost, in words; none if all are there. */
   public List<String> lost() {
     return List.copyOf(lost);
+  }
+
+  /**
+   * Returns the threads whose callbacks overlap, in words: no thread executes two at once, so that
+   * several processes have the same ids.
+   */
+  public List<String> mixed() {
+    return activity().mixed.stream().map(RecordedTrace::described).sorted().toList();
+  }
+
+  private static String described(ThreadId thread) {
+    return "vpid %d, vtid %d".formatted(thread.process().id(), thread.thread());
   }
 
   /** Returns the full names of all nodes, sorted. */

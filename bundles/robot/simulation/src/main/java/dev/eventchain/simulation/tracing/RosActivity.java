@@ -2,7 +2,9 @@ package dev.eventchain.simulation.tracing;
 
 import dev.eventchain.simulation.tracing.TraceEvent.ThreadId;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** Activity of ROS 2 nodes in a trace, in the order of time. Times are in ns since 1970. */
 final class RosActivity {
@@ -104,6 +106,12 @@ final class RosActivity {
 
   /** The time of the first event; 0 without any. */
   long begin;
+
+  /** The time of the last event; 0 without any. */
+  long end;
+
+  /** The threads in which a callback ended within another one. */
+  final Set<ThreadId> mixed = new HashSet<>();
 
   final List<Node> nodes = new ArrayList<>();
   final List<Publisher> publishers = new ArrayList<>();

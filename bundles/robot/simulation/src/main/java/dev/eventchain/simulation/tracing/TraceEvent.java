@@ -7,17 +7,27 @@ import java.util.Map;
  *
  * @param time in ns since 1970
  * @param name with its provider, such as {@code ros2:callback_start}
- * @param process id of the process in its namespace; 0 if it was not recorded
- * @param thread id of the thread in its namespace; 0 if it was not recorded
+ * @param process in which it occurred
+ * @param thread id of the thread in the namespace of its process
  * @param fields values of the payload as texts, by name
  */
-record TraceEvent(long time, String name, long process, long thread, Map<String, String> fields) {
+record TraceEvent(
+    long time, String name, ProcessId process, long thread, Map<String, String> fields) {
+
+  /**
+   * A process: ids are those of a container, and several containers have the same ones.
+   *
+   * @param host the name of the machine or container; empty if it was not recorded
+   * @param namespace the namespace of ids, by a number; empty if it was not recorded
+   */
+  record ProcessId(String host, String namespace, long id) {}
+
 
   /** An object of a process by its address, which another one may have later. */
-  record Handle(long process, String address) {}
+  record Handle(ProcessId process, String address) {}
 
   /** A thread of a process. */
-  record ThreadId(long process, long thread) {}
+  record ThreadId(ProcessId process, long thread) {}
 
   /** Copies the fields. */
   TraceEvent {

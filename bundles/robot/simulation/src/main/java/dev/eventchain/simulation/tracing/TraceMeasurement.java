@@ -36,6 +36,7 @@ import java.util.zip.CRC32;
  * @param hops the ways of messages to the components' callbacks
  * @param latencies of the chain's latency constraints, in their order; empty for one that was not
  *     measured
+ * @param unanswered the messages that no output is based on, of each latency constraint
  * @param unmatched what components read although no publication of it is known
  * @param earlier what components read that was underway when the trace began, and is left out
  * @param outside numbers of messages whose publishers are not in the trace, by topic
@@ -46,6 +47,7 @@ public record TraceMeasurement(
     Map<String, String> missing,
     List<Hop> hops,
     List<Optional<Latency>> latencies,
+    List<Unanswered> unanswered,
     List<Unmatched> unmatched,
     List<Unmatched> earlier,
     Map<String, Integer> outside,
@@ -71,6 +73,23 @@ public record TraceMeasurement(
 
   /** Readings of a topic that belong to no known publication. */
   public record Unmatched(String topic, String reader, int count) {}
+
+  /**
+   * Messages on which no output is based, from the first one on that has an output, in ms.
+   *
+   * @param untilLater the longest time until an output was based on a later one; 0 for none
+   * @param untilEnd the time from the first of those at the end to the end of the trace; 0 for none
+   */
+  public record Unanswered(int count, double untilLater, double untilEnd) {
+
+    /** No message. */
+    static final Unanswered NONE = new Unanswered(0, 0, 0);
+
+    /** Returns the longest of the times. */
+    public double longest() {
+      return Math.max(untilLater, untilEnd);
+    }
+  }
 
   /** Measures a chain in a trace. */
   public static TraceMeasurement of(EventChain chain, RecordedTrace trace) {
@@ -224,12 +243,36 @@ public record TraceMeasurement(
       RunLog log = new RunLog(activations, messages.publications());
       List<Optional<Latency>> latencies =
           chain.getLatencyConstraints().stream().map(it -> latency(log, it)).toList();
+      List<Unanswered> unanswered =
+          chain.getLatencyConstraints().stream().map(it -> unanswered(log, it)).toList();
       Map<String, Long> intervals = new LinkedHashMap<>();
       for (TopicIndex.Topic topic : topics.topics()) {
         messages.interval(topic.name()).ifPresent(it -> intervals.put(topic.name(), it));
       }
       return new TraceMeasurement(
-          components, missing, hops, latencies, unmatched, earlier, messages.outside(), intervals);
+          components,
+          missing,
+          hops,
+          latencies,
+          unanswered,
+          unmatched,
+          earlier,
+          messages.outside(),
+          intervals);
+    }
+
+    private Unanswered unanswered(RunLog log, LatencyConstraint constraint) {
+      if (constraint.getFirst() == null || constraint.getLast() == null) {
+        return Unanswered.NONE;
+      }
+      ChainLatency.Unanswered found =
+          ChainLatency.unanswered(
+              log,
+              constraint.getFirst().getName(),
+              constraint.getLast().getName(),
+              activity.end);
+      return new Unanswered(
+          found.count(), found.untilLater() / MILLISECOND, found.untilEnd() / MILLISECOND);
     }
 
     private static Optional<Latency> latency(RunLog log, LatencyConstraint constraint) {

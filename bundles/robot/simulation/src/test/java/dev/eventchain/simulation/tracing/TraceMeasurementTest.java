@@ -16,6 +16,7 @@ import java.nio.file.Files;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 
 /** Tests times in a recorded trace, and in traces by hand. */
@@ -316,5 +317,72 @@ class TraceMeasurementTest {
     assertEquals(
         List.of("/front/range_driver", "/rear/range_driver"),
         measured.components().stream().map(TraceMeasurement.Component::node).toList());
+  }
+
+  /** Two processes with the same ids, each executing a callback at the same time. */
+  private static TraceText overlapping(UnaryOperator<TraceText> second) {
+    TraceText trace =
+        nodes()
+            .callbacks(2)
+            .publish(1, 1, 1.01)
+            .take(2, 2, 1.01)
+            .start(2.1, 2, false)
+            .publish(4, 2, 4.01);
+    TraceText both = second.apply(trace).node(4, "other", "/", "/x", "").callbacks(4);
+    return both.start(4.2, 4, false).back().end(4.5, 2, false);
+  }
+
+  @Test
+  void processesOfSeveralContainersMayHaveTheSameIds() {
+    for (UnaryOperator<TraceText> other :
+        List.<UnaryOperator<TraceText>>of(it -> it.inside(4_026_532_001L), it -> it.on(1, "b"))) {
+      TraceText trace = overlapping(other);
+      assertEquals(List.of(), trace.read().mixed());
+    }
+    assertEquals(List.of("vpid 16022, vtid 1"), overlapping(it -> it).read().mixed());
+  }
+
+  @Test
+  void messagesThatAreNeverAnsweredAreCounted() {
+    TraceText trace =
+        answered(1)
+            // The second message is skipped, the third one answered, and the last two are not.
+            .publish(21, 1, 21.01)
+            .publish(41, 1, 41.01)
+            .take(42, 2, 41.01)
+            .publish(43, 2, 43.01)
+            .take(44, 3, 43.01)
+            .publish(45, 3, 45.01)
+            .publish(61, 1, 61.01)
+            .publish(81, 1, 81.01)
+            .take(82, 2, 81.01);
+    TraceMeasurement measured = measured(trace);
+    assertEquals(4, longest(measured), 1e-6);
+    TraceMeasurement.Unanswered found = measured.unanswered().get(0);
+    assertEquals(3, found.count());
+    assertEquals(24, found.untilLater(), 1e-6);
+    assertEquals(21, found.untilEnd(), 1e-6);
+    assertEquals(24, found.longest(), 1e-6);
+  }
+
+  /** Components that are not there yet answer nothing, and are not late. */
+  @Test
+  void messagesBeforeTheFirstAnswerAreNotMissed() {
+    TraceText trace = nodes().publish(1, 1, 1.01).publish(21, 1, 21.01);
+    assertEquals(0, measured(trace).unanswered().get(0).count());
+    TraceText later = trace.publish(41, 1, 41.01).take(42, 2, 41.01).publish(43, 2, 43.01);
+    TraceMeasurement all = measured(later.take(44, 3, 43.01).publish(45, 3, 45.01));
+    assertEquals(0, all.unanswered().get(0).count());
+    assertEquals(0, all.unanswered().get(0).longest());
+  }
+
+  /** A message that passes through both components in 4 ms. */
+  private static TraceText answered(double time) {
+    return nodes()
+        .publish(time, 1, time + 0.01)
+        .take(time + 1, 2, time + 0.01)
+        .publish(time + 2, 2, time + 2.01)
+        .take(time + 3, 3, time + 2.01)
+        .publish(time + 4, 3, time + 4.01);
   }
 }

@@ -13,6 +13,8 @@ final class TraceText {
 
   private final StringBuilder text = new StringBuilder("Stream beginning:\n  Name: c_0\n\n");
   private int thread = 1;
+  private int trace;
+  private String namespace = "";
 
   /** Returns a time in ns since 1970. */
   static long at(double milliseconds) {
@@ -25,12 +27,33 @@ final class TraceText {
     return this;
   }
 
+  /** Lets the next events occur in a namespace of ids. */
+  TraceText inside(long number) {
+    namespace = "\n    pid_ns: " + number(number);
+    return this;
+  }
+
+  /** Lets the next events be those of another machine or container. */
+  TraceText on(int number, String host) {
+    trace = number;
+    String head = "{Trace %d, Stream class ID 0, Stream ID 0}\n".formatted(number);
+    return message(head + "Stream beginning:\n    Environment (1 entry):\n      hostname: " + host)
+        .message("Stream end");
+  }
+
+  /** Lets the next events be those of the first process again. */
+  TraceText back() {
+    trace = 0;
+    namespace = "";
+    return this;
+  }
+
   /** Adds an event; fields are pairs of a name and a value. */
   TraceText event(double time, String name, Object... fields) {
     text.append("[1,000 cycles, %s ns from origin]\n".formatted(number(at(time))));
-    text.append("{Trace 0, Stream class ID 0, Stream ID 0}\n");
+    text.append("{Trace %d, Stream class ID 0, Stream ID 0}\n".formatted(trace));
     text.append("Event `ros2:").append(name).append("` (Class ID 1):\n");
-    text.append("  Common context:\n    vpid: 16,022\n    vtid: ").append(thread);
+    text.append("  Common context:\n    vpid: 16,022\n    vtid: ").append(thread).append(namespace);
     text.append("\n    procname: record\n  Payload:\n");
     for (int i = 0; i < fields.length; i += 2) {
       Object value = fields[i + 1] instanceof Long number ? number(number) : fields[i + 1];

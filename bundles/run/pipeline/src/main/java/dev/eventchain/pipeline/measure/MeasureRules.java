@@ -7,6 +7,7 @@ final class MeasureRules {
 
   static final Rule TRACE_LATENCY_ABOVE_BOUND = Rule.warning("trace.latency.above-bound");
   static final Rule TRACE_LATENCY_EXCEEDED = Rule.error("trace.latency.exceeded");
+  static final Rule TRACE_LATENCY_UNANSWERED = Rule.error("trace.latency.unanswered");
   static final Rule TRACE_LATENCY_UNMEASURED = Rule.error("trace.latency.unmeasured");
   static final Rule TRACE_LOST = Rule.error("trace.lost");
   static final Rule TRACE_MESSAGE_EARLIER = Rule.info("trace.message.earlier");
@@ -15,6 +16,7 @@ final class MeasureRules {
   static final Rule TRACE_PERIOD_ABOVE = Rule.warning("trace.period.above");
   static final Rule TRACE_PUBLISHER_MISSING = Rule.error("trace.publisher.missing");
   static final Rule TRACE_READER = Rule.error("trace.reader");
+  static final Rule TRACE_THREAD_MIXED = Rule.error("trace.thread.mixed");
   static final Rule TRACE_TIME_ABOVE = Rule.warning("trace.time.above");
   static final Rule TRACE_UNMATCHED = Rule.error("trace.unmatched");
 

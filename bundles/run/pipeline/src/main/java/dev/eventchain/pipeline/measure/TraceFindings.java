@@ -10,9 +10,11 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
 import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.LatencyKind;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.tracing.RecordedTrace;
 import dev.eventchain.simulation.tracing.TraceMeasurement;
+import dev.eventchain.simulation.verdict.Measurements.Statistics;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Latency;
 import java.util.ArrayList;
 import java.util.List;
@@ -49,6 +51,7 @@ final class TraceFindings {
       ChainModel model, SourceLocation place, RecordedTrace trace, TraceMeasurement measured) {
     TraceFindings findings = new TraceFindings(model, place, measured);
     findings.lost(trace);
+    findings.mixed(trace);
     if (measured.components().isEmpty()) {
       findings.nothing(trace);
       return findings.found;
@@ -71,6 +74,19 @@ final class TraceFindings {
                   trace)
               .withHint(
                   "Record again with more or larger buffers (lttng enable-channel --subbuf-size, --num-subbuf), or fewer events."));
+    }
+  }
+
+  private void mixed(RecordedTrace read) {
+    if (!read.mixed().isEmpty() && read.lost().isEmpty()) {
+      found.add(
+          Diagnostic.of(
+                  MeasureRules.TRACE_THREAD_MIXED,
+                  "Callbacks of one thread overlap (%s), so that several processes have the same ids and their times are mixed."
+                      .formatted(String.join("; ", read.mixed())),
+                  trace)
+              .withHint(
+                  "Record the namespaces of ids, too: lttng add-context --userspace --type=pid_ns"));
     }
   }
 
@@ -208,6 +224,7 @@ final class TraceFindings {
         unmeasured(constraint);
       } else {
         exceeded(constraint, latency.get());
+        unanswered(constraint, measured.unanswered().get(i));
         aboveBound(constraint, latency.get(), timing.of(constraint));
       }
     }
@@ -246,6 +263,45 @@ final class TraceFindings {
                   model.locate(constraint, Literals.LATENCY_CONSTRAINT__MAXIMUM))
               .withHint("Execute components on the way more often or faster, or allow more time."));
     }
+  }
+
+  private void unanswered(LatencyConstraint constraint, TraceMeasurement.Unanswered unanswered) {
+    double maximum = constraint.getMaximum();
+    if (maximum <= 0 || unanswered.longest() <= maximum + inForce(constraint)) {
+      return;
+    }
+    String until =
+        unanswered.untilEnd() > unanswered.untilLater()
+            ? "to the end of the trace, %s ms, no output of '%s' was based on new messages"
+            : "it took up to %s ms until an output of '%s' was based on new messages";
+    found.add(
+        Diagnostic.of(
+                MeasureRules.TRACE_LATENCY_UNANSWERED,
+                "'%s' allows %s ms, but %s; never answered: %d."
+                    .formatted(
+                        constraint.getName(),
+                        ms(maximum),
+                        until.formatted(ms(unanswered.longest()), name(constraint.getLast())),
+                        unanswered.count()),
+                model.locate(constraint, Literals.LATENCY_CONSTRAINT__MAXIMUM))
+            .withHint(
+                "A component on the way has stopped, hangs, or reads messages too seldom. Nodes that are ended before the trace look as if they hung: stop the trace first."));
+  }
+
+  /** Returns for how long an output stands whose age was allowed when it was written, in ms. */
+  private double inForce(LatencyConstraint constraint) {
+    if (constraint.getKind() != LatencyKind.DATA_AGE) {
+      return 0;
+    }
+    SoftwareNode last = constraint.getLast();
+    return last.getFrequency() > 0
+        ? SECOND / last.getFrequency()
+        : measured.components().stream()
+            .filter(it -> it.times().name().equals(last.getName()))
+            .flatMap(it -> it.times().period().stream())
+            .mapToDouble(Statistics::median)
+            .findFirst()
+            .orElse(0);
   }
 
   private void aboveBound(LatencyConstraint constraint, Latency latency, LatencyEstimate estimate) {

@@ -38,12 +38,32 @@ record TraceJson(
       Optional<Statistics> jitter,
       Optional<Statistics> executionTime) {}
 
-  /** A latency constraint; without a distribution where it was not measured. */
+  /**
+   * A latency constraint; without a distribution where it was not measured.
+   *
+   * @param unanswered the messages that are not in the distribution, since no output is based on
+   *     them
+   */
   record Latency(
       String constraint,
       OptionalDouble allowed,
       Optional<Statistics> latency,
+      Unanswered unanswered,
       List<ScenarioVerdict.Part> slowest) {}
+
+  /** Messages without an output; without the times of which there is none. */
+  record Unanswered(int count, OptionalDouble untilLater, OptionalDouble untilEnd) {
+
+    static Unanswered of(TraceMeasurement.Unanswered found) {
+      return new Unanswered(found.count(), time(found.untilLater()), time(found.untilEnd()));
+    }
+
+    private static OptionalDouble time(double milliseconds) {
+      return milliseconds > 0
+          ? OptionalDouble.of(rounded(milliseconds))
+          : OptionalDouble.empty();
+    }
+  }
 
   static TraceJson of(EventChain chain, RecordedTrace trace, TraceMeasurement measured) {
     List<Latency> latencies = new ArrayList<>();
@@ -56,6 +76,7 @@ record TraceJson(
               String.valueOf(constraint.getName()),
               maximum > 0 ? OptionalDouble.of(maximum) : OptionalDouble.empty(),
               found.map(it -> rounded(it.statistics())),
+              Unanswered.of(measured.unanswered().get(i)),
               found.stream()
                   .flatMap(it -> it.slowest().stream())
                   .map(TraceJson::rounded)

@@ -29,7 +29,9 @@ final class TraceTable {
         + "\n"
         + messages(measured)
         + "\n"
-        + latencies(chain, measured);
+        + latencies(chain, measured)
+        + "\n"
+        + unanswered(chain, measured);
   }
 
   private static String components(EventChain chain, TraceMeasurement measured) {
@@ -88,6 +90,21 @@ final class TraceTable {
           allowed);
     }
     return table.text();
+  }
+
+  private static String unanswered(EventChain chain, TraceMeasurement measured) {
+    List<List<String>> rows = new ArrayList<>();
+    rows.add(List.of("never answered", "count", "ms to a later answer", "ms to the end"));
+    for (int i = 0; i < chain.getLatencyConstraints().size(); i++) {
+      TraceMeasurement.Unanswered found = measured.unanswered().get(i);
+      rows.add(
+          List.of(
+              String.valueOf(chain.getLatencyConstraints().get(i).getName()),
+              String.valueOf(found.count()),
+              found.untilLater() > 0 ? number(found.untilLater()) : "-",
+              found.untilEnd() > 0 ? number(found.untilEnd()) : "-"));
+    }
+    return TextTable.of(rows);
   }
 
   /** Returns the parts of the longest time: {@code A 5 + 1, B 8 + 2}. */

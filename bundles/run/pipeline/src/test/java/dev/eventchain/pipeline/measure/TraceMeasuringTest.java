@@ -137,6 +137,36 @@ class TraceMeasuringTest {
     assertTrue(diff.contains("+    \"worst_case_execution_time\": 1."), diff);
   }
 
+  /** Its last execution publishes nothing any more, as if it hung before. */
+  @Test
+  void messagesThatAreNotAnsweredForTooLongAreAnError() throws IOException {
+    change(project.resolve("model/chain.xmi"), "maximum=\"100.0\"", "maximum=\"13.0\"");
+    change(trace, "(?s)(.*ros2:)rcl_publish(`.*ros2:rcl_publish`)", "$1other$2");
+    List<String> found = found();
+    assertTrue(
+        found.stream()
+            .anyMatch(
+                it ->
+                    it.startsWith(
+                        "error trace.latency.unanswered 'radar_to_brake' allows 13 ms, but to the end of the trace, ")),
+        found.toString());
+    assertFalse(passed());
+    String json = Files.readString(project.resolve("out/traced/measurements.json"));
+    assertTrue(
+        json.replaceAll("\\s", "").contains("\"unanswered\":{\"count\":1,\"untilEnd\":15.2"), json);
+  }
+
+  @Test
+  void callbacksOfAThreadThatOverlapAreThoseOfTwoProcesses() throws IOException {
+    change(trace, "(?s)(.*\\n\\n)(.*?callback_start.*?callback: )([^\\n]*)", "$1$2$3\n\n$2 0x1");
+    List<String> found = found();
+    assertTrue(
+        found.contains(
+            "error trace.thread.mixed Callbacks of one thread overlap (vpid 27156, vtid 27161), so that several processes have the same ids and their times are mixed."),
+        found.toString());
+    assertFalse(passed());
+  }
+
   @Test
   void lostEventsLeaveNothingProved() throws IOException {
     change(trace, "\\z", "\nDiscarded events (132 events)\n");
