@@ -158,6 +158,11 @@ public final class StoryboardRun {
     scene.actor(ego).release(domains);
   }
 
+  /** Returns whether the ego has to follow a line, such as a trajectory, and not its lane. */
+  public boolean isOnLine() {
+    return scene.actor(ego).lateral().isLine();
+  }
+
   /** Returns whether the storyboard has a stop trigger. */
   public boolean hasStop() {
     return tree.hasStop();

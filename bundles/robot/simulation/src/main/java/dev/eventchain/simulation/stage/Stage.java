@@ -179,7 +179,7 @@ final class Stage {
         new HumanDriver(
             new SpeedProfile(vehicle.speed(), List.of()),
             new LateralProfile(vehicle.chassis().offset(), List.of()),
-            false);
+            true);
     return new Situation(
         vehicle, driver, road, source.begin().actors(), Optional.empty(), Optional.of(source));
   }

@@ -132,7 +132,10 @@ final class StoryboardDirector implements Director {
     EntityState wanted = run.next(STEP).get(ego.name());
     planned = wanted.pose();
     acceleration = (wanted.speed() - seen.velocity()) / STEP;
-    curvature = driver.curvature(seen, known, wanted);
+    curvature =
+        run.isOnLine() && seen.pedals()
+            ? driver.curvature(seen, wanted, run.next(2 * STEP).get(ego.name()))
+            : driver.curvatureOfLane(seen, known, wanted);
   }
 
   /** Returns what the software controls of the ego. */

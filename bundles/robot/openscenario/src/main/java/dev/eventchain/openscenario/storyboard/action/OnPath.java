@@ -42,4 +42,9 @@ record OnPath(Path path, double at, boolean again) implements Lateral {
   public Lateral from(Scene scene, EntityState seen) {
     return new OnPath(path, path.nearest(seen.pose()).orElse(at), again);
   }
+
+  @Override
+  public boolean isLine() {
+    return true;
+  }
 }

@@ -38,6 +38,11 @@ public interface Lateral {
   /** Returns the same for an entity that is not where the last step would have had it. */
   Lateral from(Scene scene, EntityState seen);
 
+  /** Returns whether it says where the entity has to be, whatever lanes there are. */
+  default boolean isLine() {
+    return false;
+  }
+
   /** Returns what the entity does when this is over, by default what it does of itself. */
   default Lateral rest(Scene scene, EntityState state) {
     return KeepLane.of(scene, state);

@@ -17,4 +17,9 @@ public enum StraightOn implements Lateral {
   public Lateral from(Scene scene, EntityState seen) {
     return this;
   }
+
+  @Override
+  public boolean isLine() {
+    return true;
+  }
 }

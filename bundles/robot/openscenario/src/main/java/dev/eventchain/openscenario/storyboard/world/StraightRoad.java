@@ -7,7 +7,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * One straight road along the x axis from the origin, traffic on the right.
+ * One straight road along the x axis from the origin, traffic on the right; without lanes, a plane
+ * that has no road anywhere.
  *
  * @param id its name
  * @param length in m
@@ -54,7 +55,8 @@ public record StraightRoad(String id, double length, int left, int right, double
   @Override
   public Optional<LanePoint> find(Pose place) {
     boolean inside =
-        place.x() >= 0
+        left + right > 0
+            && place.x() >= 0
             && place.x() <= length
             && place.y() <= left * width
             && place.y() >= -right * width;
