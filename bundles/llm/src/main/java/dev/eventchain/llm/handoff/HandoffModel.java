@@ -20,6 +20,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * Asks a person for answers that are not recorded. It writes each prompt to {@code
@@ -29,6 +32,8 @@ import java.util.Optional;
  * includes recorded answers, so that no answer is used twice.
  */
 public final class HandoffModel implements ChatModel {
+  private static final String PROMPT = ".prompt.md";
+
   private final ModelName model;
   private final Path folder;
   private final RecordingFolder recordings;
@@ -55,10 +60,12 @@ public final class HandoffModel implements ChatModel {
   }
 
   private ChatResponse ask(ChatRequest request, RequestKey key, int earlier) {
-    String name = name(request.task(), key, earlier);
-    Path prompt = promptFile(name);
-    Path answer = answerFile(name);
+    Path prompt = folder;
+    Path answer;
     try {
+      String name = name(request.task(), key, earlier);
+      prompt = promptFile(name);
+      answer = answerFile(name);
       AtomicFile.write(prompt, HandoffPrompt.text(name, key, request));
     } catch (IOException e) {
       throw unwritable(prompt, e);
@@ -73,20 +80,42 @@ public final class HandoffModel implements ChatModel {
     return HandoffAnswer.parse(text, model.name());
   }
 
-  /** Returns the name of the existing file of a prompt, or the next free name. */
-  private String name(String task, RequestKey key, int earlier) {
+  /**
+   * Returns the name of the existing file of a prompt, or the first free name. Numbers may be
+   * missing, since a person may have removed files.
+   */
+  private String name(String task, RequestKey key, int earlier) throws IOException {
     int same = 0;
-    int number = 1;
-    while (Files.exists(promptFile(name(task, number)))
-        || Files.exists(answerFile(name(task, number)))) {
+    int last = lastPrompt(task);
+    for (int number = 1; number <= last; number++) {
       String name = name(task, number);
       if (HandoffPrompt.keyOf(promptFile(name)).equals(Optional.of(key.value()))
           && same++ == earlier) {
         return name;
       }
-      number++;
     }
-    return name(task, number);
+    int free = 1;
+    while (Files.exists(promptFile(name(task, free)))
+        || Files.exists(answerFile(name(task, free)))) {
+      free++;
+    }
+    return name(task, free);
+  }
+
+  /** Returns the largest number of a prompt of the task in the folder; 0 without one. */
+  private int lastPrompt(String task) throws IOException {
+    if (!Files.isDirectory(folder)) {
+      return 0;
+    }
+    Pattern file = Pattern.compile(Pattern.quote(task) + "-([0-9]{2,6})" + Pattern.quote(PROMPT));
+    try (Stream<Path> files = Files.list(folder)) {
+      return files
+          .map(path -> file.matcher(path.getFileName().toString()))
+          .filter(Matcher::matches)
+          .mapToInt(matcher -> Integer.parseInt(matcher.group(1)))
+          .max()
+          .orElse(0);
+    }
   }
 
   private static String name(String task, int number) {
@@ -94,7 +123,7 @@ public final class HandoffModel implements ChatModel {
   }
 
   private Path promptFile(String name) {
-    return folder.resolve(name + ".prompt.md");
+    return folder.resolve(name + PROMPT);
   }
 
   private Path answerFile(String name) {

@@ -89,6 +89,19 @@ class HandoffTest {
   }
 
   @Test
+  void anAnswerIsFoundThoughFilesOfEarlierPromptsWereRemoved() throws IOException {
+    ChatModel both = run(false);
+    assertWaiting(both, "first");
+    assertWaiting(both, "second");
+    answer("design-02", "two");
+    Files.delete(handoff.resolve("design-01.prompt.md"));
+    ChatModel again = run(false);
+    assertEquals("two", again.chat(request("second")).text());
+    assertWaiting(again, "third");
+    assertTrue(Files.exists(handoff.resolve("design-01.prompt.md")));
+  }
+
+  @Test
   void aConversationTellsItsTurnsApart() throws IOException {
     ChatRequest request =
         ChatRequest.of(
