@@ -49,6 +49,38 @@ final class UnitTable {
           Map.entry("G", 1e9),
           Map.entry("T", 1e12));
 
+  /** Prefixes and units that are spelled out, in the singular. */
+  private static final Map<String, String> PREFIX_WORDS =
+      Map.ofEntries(
+          Map.entry("nano", "n"),
+          Map.entry("micro", "u"),
+          Map.entry("milli", "m"),
+          Map.entry("centi", "c"),
+          Map.entry("deci", "d"),
+          Map.entry("hecto", "h"),
+          Map.entry("kilo", "k"),
+          Map.entry("mega", "M"),
+          Map.entry("giga", "G"));
+
+  private static final Map<String, String> WORDS =
+      Map.ofEntries(
+          Map.entry("meter", "m"),
+          Map.entry("metre", "m"),
+          Map.entry("gram", "g"),
+          Map.entry("second", "s"),
+          Map.entry("ampere", "A"),
+          Map.entry("kelvin", "K"),
+          Map.entry("candela", "cd"),
+          Map.entry("hertz", "Hz"),
+          Map.entry("newton", "N"),
+          Map.entry("joule", "J"),
+          Map.entry("watt", "W"),
+          Map.entry("pascal", "Pa"),
+          Map.entry("volt", "V"),
+          Map.entry("ohm", "Ohm"),
+          Map.entry("liter", "l"),
+          Map.entry("litre", "l"));
+
   /** Symbols that take small prefixes: dB is not a tenth of a byte. */
   private static final Set<String> SMALL_STEPS = Set.of("m", "g", "l", "L", "Pa");
 
@@ -81,15 +113,12 @@ final class UnitTable {
     derived(3600.0, "Wh", 2, 1, -2, 0);
     derived(1e-3, "l", 3, 0, 0, 0);
     derived(1e-3, "L", 3, 0, 0, 0);
-    plain(1.0, METRE, "meter", "metre", "meters", "metres");
-    plain(1000.0, METRE, "kilometer", "kilometre", "kilometers", "kilometres");
     plain(0.0254, METRE, "in", "inch");
     plain(0.3048, METRE, "ft");
     plain(1609.344, METRE, "mi");
     plain(1000.0, KILOGRAM, "t");
     plain(POUND, KILOGRAM, "lb", "lbs");
-    plain(1.0, SECOND, "sec", "second", "seconds");
-    plain(1e-3, SECOND, "millisecond", "milliseconds");
+    plain(1.0, SECOND, "sec");
     plain(60.0, SECOND, "min", "minute", "minutes");
     plain(3600.0, SECOND, "h", "hour", "hours");
     plain(86400.0, SECOND, "d", "day", "days");
@@ -97,7 +126,7 @@ final class UnitTable {
     plain(1.0, ANGLE, "radian", "radians");
     plain(Math.PI / 180.0, ANGLE, "deg", "degree", "degrees", "\u00b0");
     plain(1.0, BYTE, "bytes");
-    temperature(1.0, 273.15, "degC", "\u00b0C", "Cel");
+    temperature(1.0, 273.15, "degC", "\u00b0C", "Cel", "celsius");
     temperature(5.0 / 9.0, 273.15 - 32.0 * 5.0 / 9.0, "degF", "\u00b0F");
     PLAIN.put("%", new Unit(new int[DIMENSIONS], 0.01, 0.0));
     PLAIN.put("percent", PLAIN.get("%"));
@@ -120,15 +149,34 @@ final class UnitTable {
     if (whole != null || symbol.length() < 2) {
       return Optional.ofNullable(whole);
     }
+    Optional<Unit> spelled = spelled(symbol);
+    if (spelled.isPresent()) {
+      return spelled;
+    }
     String prefix = symbol.substring(0, 1);
     String rest = symbol.substring(1);
     boolean taken =
         PREFIXES.containsKey(prefix)
             && PREFIXED.containsKey(rest)
             && (!"cdh".contains(prefix) || SMALL_STEPS.contains(rest));
-    return taken
-        ? Optional.of(number(PREFIXES.get(prefix)).times(PREFIXED.get(rest), 1))
-        : Optional.empty();
+    return taken ? Optional.of(times(prefix, rest)) : Optional.empty();
+  }
+
+  /** Returns the unit of a word in the singular or plural, such as kilopascal or hertz. */
+  private static Optional<Unit> spelled(String text) {
+    String word = text.endsWith("s") ? text.substring(0, text.length() - 1) : text;
+    if (WORDS.containsKey(word)) {
+      return Optional.of(PREFIXED.get(WORDS.get(word)));
+    }
+    return PREFIX_WORDS.entrySet().stream()
+        .filter(it -> word.startsWith(it.getKey()))
+        .filter(it -> WORDS.containsKey(word.substring(it.getKey().length())))
+        .map(it -> times(it.getValue(), WORDS.get(word.substring(it.getKey().length()))))
+        .findFirst();
+  }
+
+  private static Unit times(String prefix, String symbol) {
+    return number(PREFIXES.get(prefix)).times(PREFIXED.get(symbol), 1);
   }
 
   static Unit number(double value) {

@@ -42,6 +42,13 @@ class UnitTest {
     "B, byte",
     "%, percent",
     "mph, mi/h",
+    "kilopascal, kPa",
+    "kilopascals, kPa",
+    "hertz, Hz",
+    "kilograms, kg",
+    "millivolts, mV",
+    "meters/second, m/s",
+    "celsius, degC",
   })
   void spellingsOfTheSame(String first, String second) {
     assertEquals(Unit.Relation.SAME, unit(first).relationTo(unit(second)));
@@ -90,6 +97,9 @@ class UnitTest {
         "",
         " ",
         "furlong",
+        "kilofurlongs",
+        "kilo",
+        "kilokilometers",
         "KM/H",
         "C",
         "dB",
