@@ -4,10 +4,13 @@ import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** Checks that the chain uses the vehicle's topics as described. */
 final class SignalContracts {
+
+  private static final Pattern STAMP = Pattern.compile("(^|\\.)header\\.stamp(\\.|$)");
 
   private final TypeContracts types;
   private final Findings findings;
@@ -56,13 +59,19 @@ final class SignalContracts {
             findings.at(data, Literals.DATA__FIELD_NAME),
             "%s uses the field '%s' of %s, which the description of the signal does not name."
                 .formatted(endpoint.name(), path, signal.topic()),
-            "The described fields are %s. Use one of them."
-                .formatted(
-                    signal.fields().stream()
-                        .map(Signal.Field::path)
-                        .collect(Collectors.joining(", "))),
+            hint(path, signal),
             signal.location());
       }
     }
+  }
+
+  /** Returns what to do: a stamp says when a message was made, which no other field can say. */
+  private static String hint(String path, Signal signal) {
+    String described =
+        signal.fields().stream().map(Signal.Field::path).collect(Collectors.joining(", "));
+    return STAMP.matcher(path).find()
+        ? "Describe it in the signal if the vehicle sets the stamp, as the simulated one does."
+            + " The described fields are %s.".formatted(described)
+        : "The described fields are %s. Use one of them.".formatted(described);
   }
 }
