@@ -82,10 +82,6 @@ final class CallFailure extends RuntimeException {
             + " eventchain.yaml is right.");
   }
 
-  Kind kind() {
-    return kind;
-  }
-
   /** Returns whether the same request may succeed a little later. */
   boolean isPassing() {
     return kind.passing;

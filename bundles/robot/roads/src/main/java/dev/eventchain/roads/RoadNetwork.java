@@ -12,7 +12,6 @@ import dev.eventchain.roads.link.LaneGraph;
 import dev.eventchain.roads.reader.NetworkReader;
 import dev.eventchain.roads.reader.ReadNetwork;
 import dev.eventchain.roads.road.Header;
-import dev.eventchain.roads.road.Junction;
 import dev.eventchain.roads.road.Lane;
 import dev.eventchain.roads.road.Pose;
 import dev.eventchain.roads.road.Road;
@@ -33,7 +32,6 @@ public final class RoadNetwork {
 
   private final Header header;
   private final Map<String, Road> roads;
-  private final Map<String, Junction> junctions;
   private final List<Signal.Controller> controllers;
   private final LaneGraph graph;
   private final List<Diagnostic> findings;
@@ -42,7 +40,6 @@ public final class RoadNetwork {
   private RoadNetwork(ReadNetwork read) {
     this.header = read.header();
     this.roads = read.roads();
-    this.junctions = read.junctions();
     this.controllers = read.controllers();
     this.graph = read.graph();
     this.findings = read.warnings();
@@ -108,16 +105,6 @@ public final class RoadNetwork {
   /** Returns a road. */
   public Optional<Road> road(String id) {
     return Optional.ofNullable(roads.get(id));
-  }
-
-  /** Returns all junctions in the order of the file. */
-  public Collection<Junction> junctions() {
-    return junctions.values();
-  }
-
-  /** Returns a junction. */
-  public Optional<Junction> junction(String id) {
-    return Optional.ofNullable(junctions.get(id));
   }
 
   /** Returns the controllers of signals in the order of the file. */

@@ -1,6 +1,5 @@
 package dev.eventchain.roads.reader;
 
-import dev.eventchain.roads.road.Junction;
 import dev.eventchain.roads.road.RoadLink;
 import dev.eventchain.roads.xml.CheckedElement;
 import java.util.ArrayList;
@@ -26,7 +25,7 @@ final class JunctionReader {
         links.junctions.add(new PendingLinks.OfJunction(id, kind, connection, child.place()));
       }
     }
-    return new Junction(id, element.optional("name").orElse(""), kind, connections);
+    return new Junction(id, kind, connections);
   }
 
   private static Junction.Connection connection(

@@ -4,7 +4,6 @@ import dev.eventchain.roads.geometry.PlanPoint;
 import dev.eventchain.roads.geometry.Profile;
 import dev.eventchain.roads.link.LaneEnd;
 import dev.eventchain.roads.link.LaneGraph;
-import dev.eventchain.roads.road.Junction;
 import dev.eventchain.roads.road.Lane;
 import dev.eventchain.roads.road.LaneSection;
 import dev.eventchain.roads.road.Pose;

@@ -4,7 +4,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.roads.link.LaneGraph;
 import dev.eventchain.roads.road.Header;
-import dev.eventchain.roads.road.Junction;
 import dev.eventchain.roads.road.Road;
 import dev.eventchain.roads.road.Signal;
 import dev.eventchain.roads.xml.CheckedElement;
@@ -152,6 +151,6 @@ public final class NetworkReader {
     // Where a road could not be read, links to its lanes would be found wrong, too.
     LaneGraph graph =
         complete ? new LaneGraphBuilder(roads, junctions, problems).graph(links) : null;
-    return new ReadNetwork(header, roads, junctions, controllers, graph, problems.warnings());
+    return new ReadNetwork(header, roads, controllers, graph, problems.warnings());
   }
 }

@@ -1,6 +1,5 @@
 package dev.eventchain.roads.reader;
 
-import dev.eventchain.roads.road.Junction;
 import dev.eventchain.roads.road.RoadLink;
 import dev.eventchain.roads.xml.Place;
 import java.util.ArrayList;

@@ -3,7 +3,6 @@ package dev.eventchain.roads.reader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.roads.link.LaneGraph;
 import dev.eventchain.roads.road.Header;
-import dev.eventchain.roads.road.Junction;
 import dev.eventchain.roads.road.Road;
 import dev.eventchain.roads.road.Signal;
 import java.util.Collections;
@@ -15,12 +14,10 @@ import java.util.Map;
  * The content of a file without errors.
  *
  * @param roads by their ids, in the order of the file
- * @param junctions by their ids, in the order of the file
  */
 public record ReadNetwork(
     Header header,
     Map<String, Road> roads,
-    Map<String, Junction> junctions,
     List<Signal.Controller> controllers,
     LaneGraph graph,
     List<Diagnostic> warnings) {
@@ -28,7 +25,6 @@ public record ReadNetwork(
   /** Copies the collections. */
   public ReadNetwork {
     roads = Collections.unmodifiableMap(new LinkedHashMap<>(roads));
-    junctions = Collections.unmodifiableMap(new LinkedHashMap<>(junctions));
     controllers = List.copyOf(controllers);
     warnings = List.copyOf(warnings);
   }

@@ -85,12 +85,9 @@ final class RoadReader {
   }
 
   private Road.Facts facts(String id, CheckedElement element) {
-    String junction = element.optional("junction").orElse("-1");
     Optional<CheckedElement> link = element.child("link");
     return new Road.Facts(
         id,
-        element.optional("name").orElse(""),
-        junction.equals("-1") || junction.isEmpty() ? Optional.empty() : Optional.of(junction),
         element.choice("rule", List.of(Road.Traffic.values()), RoadReader::spelling),
         types(element),
         link.flatMap(child -> link(id, child.child("predecessor"), RoadLink.Contact.START)),

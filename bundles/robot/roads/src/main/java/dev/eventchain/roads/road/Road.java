@@ -35,14 +35,11 @@ public final class Road {
   /**
    * Properties of a road apart from its geometry.
    *
-   * @param junction the junction that it is part of
    * @param types the types of the road, in the order of s
    * @param userData what the program that made the file says of the road, by its codes
    */
   public record Facts(
       String id,
-      String name,
-      Optional<String> junction,
       Traffic traffic,
       List<RoadType> types,
       Optional<RoadLink> predecessor,
@@ -106,11 +103,6 @@ public final class Road {
     return facts.id;
   }
 
-  /** Returns the name; often empty. */
-  public String name() {
-    return facts.name;
-  }
-
   /** Returns the value of a {@code userData} of the road; empty if it has none of this code. */
   public Optional<String> userData(String code) {
     return Optional.ofNullable(facts.userData.get(code));
@@ -124,11 +116,6 @@ public final class Road {
   /** Returns the side on which vehicles drive. */
   public Traffic traffic() {
     return facts.traffic;
-  }
-
-  /** Returns the types of the road, in the order of s. */
-  public List<RoadType> types() {
-    return facts.types;
   }
 
   /** Returns what is before the start. */

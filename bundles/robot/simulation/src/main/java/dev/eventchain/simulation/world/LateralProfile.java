@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * An offset from the centre of a lane that is constant or changes to another one, along half a
- * cosine or at a constant speed, which is there at once or grows and falls at a constant rate.
+ * An offset from the centre of a lane that is constant or changes to another one. It changes along
+ * half a cosine or at a constant speed, which is reached at once or at a constant acceleration.
  * Immutable.
  */
 public final class LateralProfile {
@@ -27,7 +27,7 @@ public final class LateralProfile {
       this(time, offset, speed, false, Double.POSITIVE_INFINITY);
     }
 
-    @Override
+    /** Returns the same change at another time, in s. */
     public Change at(double seconds) {
       return new Change(seconds, offset, speed, linear, acceleration);
     }

@@ -40,9 +40,5 @@ public record Maneuver(Start start, Change change, boolean optional) {
   }
 
   /** Quantity that changes: the speed or the offset. */
-  public sealed interface Change permits SpeedProfile.Change, LateralProfile.Change {
-
-    /** Returns the same change at another time, in s. */
-    Change at(double seconds);
-  }
+  public sealed interface Change permits SpeedProfile.Change, LateralProfile.Change {}
 }

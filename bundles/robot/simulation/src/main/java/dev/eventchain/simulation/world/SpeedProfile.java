@@ -12,7 +12,7 @@ public final class SpeedProfile {
    */
   public record Change(double time, double speed, double acceleration) implements Maneuver.Change {
 
-    @Override
+    /** Returns the same change at another time, in s. */
     public Change at(double seconds) {
       return new Change(seconds, speed, acceleration);
     }

@@ -20,14 +20,6 @@ abstract class Node {
     this.log = log;
   }
 
-  String path() {
-    return path;
-  }
-
-  String type() {
-    return type;
-  }
-
   Scene scene() {
     return log.scene();
   }

@@ -1,19 +1,19 @@
-package dev.eventchain.roads.road;
+package dev.eventchain.roads.reader;
 
+import dev.eventchain.roads.road.RoadLink;
 import java.util.List;
 
 /**
  * A junction.
  *
  * @param id the id
- * @param name often empty
  * @param kind what its connections are
  * @param connections in the order of the file
  */
-public record Junction(String id, String name, Kind kind, List<Connection> connections) {
+record Junction(String id, Kind kind, List<Connection> connections) {
 
   /** Kind of a junction by its connections. */
-  public enum Kind {
+  enum Kind {
     /** Roads that lead through the junction. */
     COMMON("default"),
     /** Roads that meet directly, as at an exit of a motorway. */
@@ -30,7 +30,7 @@ public record Junction(String id, String name, Kind kind, List<Connection> conne
     }
 
     /** Returns its name in OpenDRIVE. */
-    public String spelling() {
+    String spelling() {
       return spelling;
     }
   }
@@ -43,7 +43,7 @@ public record Junction(String id, String name, Kind kind, List<Connection> conne
    * @param contact the end of that road at which the way begins
    * @param lanes the lanes that are linked; empty if the file has none
    */
-  public record Connection(
+  record Connection(
       String id, String incoming, String road, RoadLink.Contact contact, List<LaneLink> lanes) {
 
     /** Copies the links. */
@@ -58,10 +58,10 @@ public record Junction(String id, String name, Kind kind, List<Connection> conne
    * @param from the lane of the incoming road
    * @param to the lane of the other road
    */
-  public record LaneLink(int from, int to) {}
+  record LaneLink(int from, int to) {}
 
   /** Copies the connections. */
-  public Junction {
+  Junction {
     connections = List.copyOf(connections);
   }
 }
