@@ -1,14 +1,18 @@
 package dev.eventchain.sources;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -19,9 +23,12 @@ class TurnsTest {
   private static final Path TURNS =
       Path.of("../fixtures/src/main/resources/dev/eventchain/fixtures/turns.txt");
 
+  /** A class, perhaps behind the last part of its package, and what it calls the test. */
+  private static final Pattern NAME = Pattern.compile("((?:[a-z]\\w*\\.)?[A-Z]\\w*)\\.(.+)");
+
   @Test
   void allExist() throws IOException {
-    Map<String, String> sources = sourcesOfTests();
+    Map<String, List<String>> sources = sourcesOfTests();
     List<String> tests =
         Files.readAllLines(TURNS).stream()
             .filter(line -> !line.startsWith("#"))
@@ -31,22 +38,40 @@ class TurnsTest {
     assertEquals(List.of(), tests.stream().filter(test -> !isInTurn(test, sources)).toList());
   }
 
-  /** Returns whether a method is marked, or asks for the day of a part of it. */
-  private static boolean isInTurn(String test, Map<String, String> sources) {
-    String type = test.substring(0, test.indexOf('.'));
-    String source = sources.getOrDefault(type, "");
-    int method = source.indexOf(" " + test.substring(type.length() + 1) + "(");
+  @Test
+  void classesOfOneNameAreToldApart() throws IOException {
+    Map<String, List<String>> sources = sourcesOfTests();
+    String test = "DdsDriverTest.noNetworkIsNeededButLoopback";
+    assertEquals(2, sources.get("DdsDriverTest").size());
+    assertFalse(isInTurn(test, sources));
+    assertFalse(isInTurn("simulation." + test, sources));
+    assertTrue(isInTurn("endtoend." + test, sources));
+  }
+
+  /** Returns whether a method of one class is marked, or asks for the day of a part of it. */
+  private static boolean isInTurn(String test, Map<String, List<String>> sources) {
+    Matcher name = NAME.matcher(test);
+    assertTrue(name.matches(), test);
+    List<String> named = sources.getOrDefault(name.group(1), List.of());
+    if (named.size() != 1) {
+      return false;
+    }
+    String source = named.get(0);
+    int method = source.indexOf(" " + name.group(2) + "(");
     int above = Math.max(0, source.lastIndexOf("\n\n", method));
     return (method > 0 && source.substring(above, method).contains("@InTurn"))
         || source.contains("isDayOf(\"" + test + "\")");
   }
 
-  /** Returns the sources by the names of their classes; two classes may have the same. */
-  private static Map<String, String> sourcesOfTests() throws IOException {
-    Map<String, String> sources = new HashMap<>();
+  /** Returns the sources by the names of their classes, without and with their folders. */
+  private static Map<String, List<String>> sourcesOfTests() throws IOException {
+    Map<String, List<String>> sources = new HashMap<>();
     for (Path file : SourceFiles.ofJava()) {
       String type = file.getFileName().toString().replace(".java", "");
-      sources.merge(type, Files.readString(file), String::concat);
+      String folder = file.getParent().getFileName().toString();
+      for (String name : List.of(type, folder + "." + type)) {
+        sources.computeIfAbsent(name, key -> new ArrayList<>()).add(Files.readString(file));
+      }
     }
     return sources;
   }
