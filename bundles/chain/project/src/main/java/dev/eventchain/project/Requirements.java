@@ -26,8 +26,9 @@ import java.util.stream.Stream;
 
 /**
  * Written requirements or design rules: the items {@code - REQ-1: text} of a Markdown file, in
- * their order, in which an item continues in indented lines and the rest is ignored; and after
- * them, the requirements of sources in the formats of other tools.
+ * their order, in which an item continues in indented lines and the rest is ignored, as is the box
+ * of an entry in a task list; and after them, the requirements of sources in the formats of other
+ * tools.
  *
  * @param items the items
  * @param diagnostics the findings: a duplicate id, an item without text, no item at all; as
@@ -36,7 +37,7 @@ import java.util.stream.Stream;
 public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diagnostics) {
 
   private static final Pattern ITEM =
-      Pattern.compile("[-*+] +\\**([A-Za-z][A-Za-z0-9_.-]*)\\**:\\**\\s*(.*)");
+      Pattern.compile("[-*+] +(?:\\[[ xX]] +)?\\**([A-Za-z][A-Za-z0-9_.-]*)\\**:\\**\\s*(.*)");
 
   /** Common form of an id: a prefix and a number. */
   private static final Pattern NUMBERED = Pattern.compile("(.*?[A-Za-z])[-_. ]?([0-9]+)");

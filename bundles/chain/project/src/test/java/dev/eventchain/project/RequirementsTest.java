@@ -25,6 +25,15 @@ class RequirementsTest {
   }
 
   @Test
+  void entriesOfATaskListAreItems() {
+    Requirements read = read("- [ ] CW-1: The wiper shall rest.\n* [x] **CW-2**: It shall run.\n");
+    assertEquals(
+        List.of("CW-1 The wiper shall rest.", "CW-2 It shall run."),
+        read.items().stream().map(item -> item.id() + " " + item.text()).toList());
+    assertEquals(List.of(), read.diagnostics());
+  }
+
+  @Test
   void theExampleHoldsThePapersSixRequirements() {
     Requirements read =
         Requirements.read(

@@ -8,7 +8,9 @@ import java.util.regex.Pattern;
 /** Reads the blocks of a text. Formats add what is neither a paragraph nor an entry of a list. */
 abstract class TextBlocks {
 
-  private static final Pattern ENTRY = Pattern.compile("\\s*(?:[-*+]|(?:[0-9]+|#)[.)])\\s+(.*)");
+  /** An entry of a list, with its text behind the box that it has in a task list. */
+  private static final Pattern ENTRY =
+      Pattern.compile("\\s*(?:[-*+]|(?:[0-9]+|#)[.)])\\s+((?:\\[[ xX]]\\s+)?(.*))");
 
   final List<String> lines;
   final List<TextBlock> blocks = new ArrayList<>();
@@ -72,7 +74,7 @@ abstract class TextBlocks {
       enter(lines.get(first), entry.start(1));
     }
     List<String> own = new ArrayList<>();
-    own.add(isEntry ? entry.group(1).strip() : lines.get(first).strip());
+    own.add(isEntry ? entry.group(2).strip() : lines.get(first).strip());
     next++;
     while (next < lines.size()
         && !lines.get(next).isBlank()
