@@ -3,6 +3,10 @@ package dev.eventchain.catalogue.dbc;
 import dev.eventchain.catalogue.dbc.DbcTokens.Kind;
 import dev.eventchain.catalogue.dbc.DbcTokens.Token;
 import dev.eventchain.catalogue.dbc.DbcTokens.UnreadException;
+import dev.eventchain.catalogue.network.Network;
+import dev.eventchain.catalogue.network.NetworkMessage;
+import dev.eventchain.catalogue.network.NetworkSignal;
+import dev.eventchain.catalogue.network.SendingCondition;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayList;
@@ -16,14 +20,15 @@ import java.util.function.ObjIntConsumer;
 final class DbcFacts {
 
   /** Codings by their numbers. */
-  private static final List<DbcSignal.Coding> CODINGS =
-      List.of(DbcSignal.Coding.INTEGER, DbcSignal.Coding.FLOAT, DbcSignal.Coding.DOUBLE);
+  private static final List<NetworkSignal.Coding> CODINGS =
+      List.of(
+          NetworkSignal.Coding.INTEGER, NetworkSignal.Coding.FLOAT, NetworkSignal.Coding.DOUBLE);
 
   private static final String CYCLE = "GenMsgCycleTime";
   private static final String LONG_MESSAGE = "SystemMessageLongSymbol";
   private static final String LONG_SIGNAL = "SystemSignalLongSymbol";
 
-  private final DbcNetwork network;
+  private final Network network;
   private final DbcStatement part;
   private final ObjIntConsumer<String> warnings;
 
@@ -32,7 +37,7 @@ final class DbcFacts {
    *
    * @param warnings takes findings about what is not in the file, with their offsets
    */
-  DbcFacts(DbcNetwork network, DbcStatement part, ObjIntConsumer<String> warnings) {
+  DbcFacts(Network network, DbcStatement part, ObjIntConsumer<String> warnings) {
     this.network = network;
     this.part = part;
     this.warnings = warnings;
@@ -42,11 +47,11 @@ final class DbcFacts {
     if (part.isNext(Kind.WORD)) {
       Token about = part.word();
       if (about.is("BO_")) {
-        Optional<DbcMessage> message = message();
+        Optional<NetworkMessage> message = message();
         String text = part.text();
         message.ifPresent(it -> it.comment(text));
       } else if (about.is("SG_")) {
-        Optional<DbcSignal> signal = signal();
+        Optional<NetworkSignal> signal = signal();
         String text = part.text();
         signal.ifPresent(it -> it.comment(text));
       }
@@ -57,7 +62,7 @@ final class DbcFacts {
   /** Reads the meanings of raw numbers of a signal; those of an environment variable are passed. */
   void texts() throws UnreadException {
     if (part.isNext(Kind.NUMBER)) {
-      Optional<DbcSignal> signal = signal();
+      Optional<NetworkSignal> signal = signal();
       Map<BigDecimal, String> texts = new LinkedHashMap<>();
       while (part.isNext(Kind.NUMBER)) {
         BigDecimal number = part.number().stripTrailingZeros();
@@ -74,7 +79,7 @@ final class DbcFacts {
     String name = part.text();
     Token about = part.isNext(Kind.WORD) ? part.word() : new Token(Kind.END, "", 0, false);
     if (about.is("BO_")) {
-      Optional<DbcMessage> message = message();
+      Optional<NetworkMessage> message = message();
       if (name.equals(CYCLE) && part.isNext(Kind.NUMBER)) {
         int cycle = milliseconds();
         message.ifPresent(it -> it.cycle(cycle));
@@ -83,7 +88,7 @@ final class DbcFacts {
         message.ifPresent(it -> it.rename(full));
       }
     } else if (about.is("SG_")) {
-      Optional<DbcSignal> signal = signal();
+      Optional<NetworkSignal> signal = signal();
       if (name.equals(LONG_SIGNAL) && part.isNext(Kind.TEXT)) {
         String full = part.text();
         signal.ifPresent(it -> it.rename(full));
@@ -107,7 +112,7 @@ final class DbcFacts {
   }
 
   void coding() throws UnreadException {
-    Optional<DbcSignal> signal = signal();
+    Optional<NetworkSignal> signal = signal();
     part.takes(":");
     int number = (int) part.whole(CODINGS.size() - 1);
     signal.ifPresent(it -> it.coding(CODINGS.get(number)));
@@ -116,24 +121,24 @@ final class DbcFacts {
 
   /** Reads with which numbers of a multiplexer a signal is there. */
   void multiplexed() throws UnreadException {
-    Optional<DbcMessage> message = message();
-    Optional<DbcSignal> signal = signal(message);
-    Optional<DbcSignal> multiplexer = signal(message);
-    List<DbcCondition.Range> ranges = new ArrayList<>();
+    Optional<NetworkMessage> message = message();
+    Optional<NetworkSignal> signal = signal(message);
+    Optional<NetworkSignal> multiplexer = signal(message);
+    List<SendingCondition.Range> ranges = new ArrayList<>();
     do {
       BigDecimal from = part.number();
       boolean apart = part.takes("-");
       BigDecimal to = apart ? part.number() : part.number().negate();
-      ranges.add(new DbcCondition.Range(from, to));
+      ranges.add(new SendingCondition.Range(from, to));
     } while (part.takes(","));
     if (signal.isPresent() && multiplexer.isPresent()) {
-      signal.get().condition(new DbcCondition(multiplexer.get(), ranges));
+      signal.get().condition(new SendingCondition(multiplexer.get(), ranges));
     }
     part.pass();
   }
 
   void senders() throws UnreadException {
-    Optional<DbcMessage> message = message();
+    Optional<NetworkMessage> message = message();
     part.takes(":");
     while (part.isNext(Kind.WORD)) {
       String sender = part.word().text();
@@ -143,27 +148,27 @@ final class DbcFacts {
     part.pass();
   }
 
-  private Optional<DbcMessage> message() throws UnreadException {
+  private Optional<NetworkMessage> message() throws UnreadException {
     int offset = part.offset();
-    long number = part.whole(DbcMessage.LARGEST_NUMBER);
-    Optional<DbcMessage> message = network.find(number);
+    long number = part.whole(NetworkMessage.LARGEST_NUMBER);
+    Optional<NetworkMessage> message = network.find(number);
     if (message.isEmpty()) {
       warnings.accept("There is no message with the identifier " + number + ".", offset);
     }
     return message;
   }
 
-  private Optional<DbcSignal> signal() throws UnreadException {
+  private Optional<NetworkSignal> signal() throws UnreadException {
     return signal(message());
   }
 
-  private Optional<DbcSignal> signal(Optional<DbcMessage> message) throws UnreadException {
+  private Optional<NetworkSignal> signal(Optional<NetworkMessage> message) throws UnreadException {
     int offset = part.offset();
     String name = part.word().text();
     if (message.isEmpty() || message.get().isNeverSent()) {
       return Optional.empty();
     }
-    Optional<DbcSignal> signal = Optional.ofNullable(message.get().signals().get(name));
+    Optional<NetworkSignal> signal = Optional.ofNullable(message.get().signals().get(name));
     if (signal.isEmpty()) {
       warnings.accept(
           "The message '%s' has no signal '%s'.".formatted(message.get().name(), name), offset);

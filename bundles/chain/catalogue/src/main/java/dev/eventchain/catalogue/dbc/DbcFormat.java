@@ -1,13 +1,15 @@
 package dev.eventchain.catalogue.dbc;
 
 import dev.eventchain.catalogue.dbc.DbcTokens.UnreadException;
+import dev.eventchain.catalogue.network.Network;
+import dev.eventchain.catalogue.network.NetworkSignals;
+import dev.eventchain.catalogue.network.SharedBits;
 import dev.eventchain.catalogue.signal.CatalogueFormat;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
 import dev.eventchain.catalogue.signal.CatalogueSource;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
@@ -43,9 +45,9 @@ public final class DbcFormat implements CatalogueFormat {
     }
     try {
       SourceText text = text(source.file());
-      DbcNetwork network = network(text, findings);
-      source.node().ifPresent(node -> checkNode(node, network, text, findings));
-      return new DbcSignals(network, source.node(), findings).all();
+      Network network = network(text, findings);
+      source.node().flatMap(it -> network.withoutNode(it, text.at(0))).ifPresent(findings);
+      return new NetworkSignals(network, source.node(), findings).all();
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(findings);
       return List.of();
@@ -53,23 +55,14 @@ public final class DbcFormat implements CatalogueFormat {
   }
 
   /** Reads the statements of a text. */
-  static DbcNetwork network(SourceText text, Consumer<Diagnostic> findings) {
+  static Network network(SourceText text, Consumer<Diagnostic> findings) {
     try {
-      DbcNetwork network = new DbcReader(text, findings).read();
-      network.messages().forEach(message -> DbcOverlaps.check(message, findings));
+      Network network = new DbcReader(text, findings).read();
+      network.messages().forEach(message -> SharedBits.check(message, findings));
       return network;
     } catch (UnreadException e) {
       findings.accept(Diagnostic.of(CatalogueRules.ENTRY, e.getMessage(), text.at(e.offset())));
-      return new DbcNetwork();
-    }
-  }
-
-  private static void checkNode(
-      String node, DbcNetwork network, SourceText text, Consumer<Diagnostic> findings) {
-    if (!network.nodes().contains(node)) {
-      findings.accept(
-          Diagnostic.of(CatalogueRules.NODE, "The network has no node '" + node + "'.", text.at(0))
-              .withHint(NearestName.hint(node, network.nodes())));
+      return new Network();
     }
   }
 

@@ -3,12 +3,16 @@ package dev.eventchain.catalogue.dbc;
 import dev.eventchain.catalogue.dbc.DbcTokens.Kind;
 import dev.eventchain.catalogue.dbc.DbcTokens.Token;
 import dev.eventchain.catalogue.dbc.DbcTokens.UnreadException;
+import dev.eventchain.catalogue.network.Network;
+import dev.eventchain.catalogue.network.NetworkMessage;
+import dev.eventchain.catalogue.network.NetworkSignal;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.math.BigDecimal;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -21,8 +25,6 @@ final class DbcReader {
 
   private static final int LARGEST_SIZE = 1 << 16;
   private static final int LONGEST_SIGNAL = 64;
-  private static final long LARGEST_STANDARD = 0x7FF;
-  private static final long LARGEST_EXTENDED = 0x1FFF_FFFF;
 
   /** Name of a sender or receiver that is not known. */
   private static final String NOBODY = "Vector__XXX";
@@ -73,11 +75,11 @@ final class DbcReader {
   private final Consumer<Diagnostic> findings;
   private final DbcTokens tokens;
   private final DbcStatement part;
-  private final DbcNetwork network = new DbcNetwork();
+  private final Network network = new Network();
   private final DbcFacts facts;
 
   /** The message to which signals belong; empty after one that cannot be read. */
-  private Optional<DbcMessage> open = Optional.empty();
+  private Optional<NetworkMessage> open = Optional.empty();
 
   DbcReader(SourceText source, Consumer<Diagnostic> findings) throws UnreadException {
     this.source = source;
@@ -87,7 +89,7 @@ final class DbcReader {
     facts = new DbcFacts(network, part, this::warn);
   }
 
-  DbcNetwork read() {
+  Network read() {
     while (tokens.peek().kind() != Kind.END) {
       try {
         statement(tokens.take());
@@ -172,21 +174,18 @@ final class DbcReader {
   private void message() throws UnreadException {
     open = Optional.empty();
     Token identifier = tokens.peek();
-    long number = part.whole(DbcMessage.LARGEST_NUMBER);
+    long number = part.whole(NetworkMessage.LARGEST_NUMBER);
     Token name = part.word();
     part.sign(":");
     int size = (int) part.whole(LARGEST_SIZE);
-    DbcMessage message = new DbcMessage(number, name.text(), size);
+    NetworkMessage message = new NetworkMessage(number, name.text(), size);
     Token sender = part.word();
     if (!sender.is(NOBODY)) {
       message.senders().add(sender.text());
     }
-    long largest = message.isExtended() ? LARGEST_EXTENDED : LARGEST_STANDARD;
-    if (message.identifier() > largest && !message.isNeverSent()) {
-      throw new UnreadException(
-          "The identifier of '%s' has more than %d bits."
-              .formatted(name.text(), message.isExtended() ? 29 : 11),
-          identifier.offset());
+    Optional<String> problem = message.identifierProblem();
+    if (problem.isPresent()) {
+      throw new UnreadException(problem.get(), identifier.offset());
     }
     if (!network.add(message)) {
       throw new UnreadException(
@@ -199,27 +198,15 @@ final class DbcReader {
     Token name = part.word();
     String multiplexing = part.isNext(Kind.WORD) ? multiplexing(part.word()) : "";
     part.sign(":");
-    DbcSignal.Layout layout = layout();
+    NetworkSignal.Layout layout = layout();
     String unit = part.text();
     while (!tokens.peek().first() && (part.isNext(Kind.WORD) || tokens.peek().is(","))) {
       tokens.take();
     }
-    DbcSignal signal =
-        new DbcSignal(name.text(), multiplexing, layout, unit, source.at(name.offset()));
+    NetworkSignal signal =
+        new NetworkSignal(name.text(), multiplexing, layout, unit, source.at(name.offset()));
     if (open.isPresent() && !open.get().isNeverSent()) {
-      add(signal, open.get());
-    }
-  }
-
-  private void add(DbcSignal signal, DbcMessage message) {
-    String name = "'" + message.name() + "." + signal.name() + "'";
-    if (signal.layout().factor().signum() == 0) {
-      find(name + " has a factor of 0.", signal.place(), "");
-    } else if (!signal.layout().fits(message.size())) {
-      String size = "the " + message.size() + " bytes of its message";
-      find(name + " does not fit into " + size + ".", signal.place(), "");
-    } else if (message.signals().putIfAbsent(signal.name(), signal) != null) {
-      find("There is another signal " + name + ".", signal.place(), "");
+      open.get().add(signal).ifPresent(problem -> find(problem, signal.place(), ""));
     }
   }
 
@@ -232,7 +219,7 @@ final class DbcReader {
     return token.text();
   }
 
-  private DbcSignal.Layout layout() throws UnreadException {
+  private NetworkSignal.Layout layout() throws UnreadException {
     int start = (int) part.whole(8L * LARGEST_SIZE);
     part.sign("|");
     Token bits = tokens.peek();
@@ -246,17 +233,27 @@ final class DbcReader {
     if (!signed) {
       part.sign("+");
     }
-    part.sign("(");
-    BigDecimal factor = part.number();
-    part.sign(",");
-    BigDecimal offset = part.number();
-    part.sign(")");
-    part.sign("[");
-    BigDecimal least = part.number();
-    part.sign("|");
-    BigDecimal most = part.number();
-    part.sign("]");
-    return new DbcSignal.Layout(start, length, bigEndian, signed, factor, offset, least, most);
+    List<BigDecimal> line = pair("(", ",", ")");
+    List<BigDecimal> range = pair("[", "|", "]");
+    boolean stated = range.stream().anyMatch(it -> it.signum() != 0);
+    return new NetworkSignal.Layout(
+        start,
+        length,
+        bigEndian,
+        signed,
+        line.get(0),
+        line.get(1),
+        Optional.of(range.get(0)).filter(it -> stated),
+        Optional.of(range.get(1)).filter(it -> stated));
+  }
+
+  private List<BigDecimal> pair(String open, String between, String close) throws UnreadException {
+    part.sign(open);
+    BigDecimal one = part.number();
+    part.sign(between);
+    BigDecimal other = part.number();
+    part.sign(close);
+    return List.of(one, other);
   }
 
   private void warn(String message, int offset) {

@@ -2,7 +2,7 @@ package dev.eventchain.catalogue.signal;
 
 import java.util.Map;
 
-/** Units of VSS in the notation of all other units here. */
+/** Units of catalogues in the notation of all other units here. */
 public final class CatalogueUnits {
 
   /** Those that are written otherwise; a time in words has none. */
@@ -20,6 +20,11 @@ public final class CatalogueUnits {
           "kWh/100km", "kWh/(100.km)");
 
   private CatalogueUnits() {}
+
+  /** Returns whether a text is what tools write where there is no unit. */
+  public static boolean isNone(String written) {
+    return written.matches("(?i)-?|n/?a|none|unitless|no_?unit");
+  }
 
   /** Returns a unit in that notation; empty for an empty one. */
   public static String of(String written) {

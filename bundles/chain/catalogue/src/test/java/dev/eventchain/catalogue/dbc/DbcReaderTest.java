@@ -3,6 +3,8 @@ package dev.eventchain.catalogue.dbc;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.catalogue.network.Network;
+import dev.eventchain.catalogue.network.NetworkSignals;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
 import dev.eventchain.catalogue.signal.CatalogueSource;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -44,9 +46,8 @@ class DbcReaderTest {
       }
     }
     List<Diagnostic> found = new ArrayList<>();
-    DbcNetwork network =
-        DbcFormat.network(SourceText.of("network.dbc", text.toString()), found::add);
-    new DbcSignals(network, Optional.of("A"), found::add).all();
+    Network network = DbcFormat.network(SourceText.of("network.dbc", text.toString()), found::add);
+    new NetworkSignals(network, Optional.of("A"), found::add).all();
     found.forEach(it -> assertTrue(it.location().line() > 0, it::message));
   }
 
@@ -132,8 +133,8 @@ class DbcReaderTest {
   }
 
   private static List<CatalogueSignal> signals(String text, Consumer<Diagnostic> findings) {
-    DbcNetwork network = DbcFormat.network(SourceText.of("network.dbc", text), findings);
-    return new DbcSignals(network, Optional.empty(), findings).all();
+    Network network = DbcFormat.network(SourceText.of("network.dbc", text), findings);
+    return new NetworkSignals(network, Optional.empty(), findings).all();
   }
 
   /** Memory goes with the bits that signals have, and not with those of their messages. */

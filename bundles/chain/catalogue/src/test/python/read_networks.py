@@ -1,5 +1,6 @@
-"""Print what cantools reads of networks in DBC, in the lines of DbcPeerTest."""
+"""Print what cantools reads of networks in DBC and ARXML, in the lines of NetworkLines."""
 
+import logging
 import struct
 import sys
 from pathlib import Path
@@ -12,9 +13,17 @@ def number(value):
     return "none" if value is None else struct.pack(">d", value).hex()
 
 
-def described(signal):
+def limits(signal, autosar):
+    """Return the limits; of numbers that AUTOSAR gives texts only, the least and greatest one."""
+    if autosar and signal.choices and signal.minimum is None and signal.maximum is None:
+        return min(signal.choices), max(signal.choices)
+    return signal.minimum, signal.maximum
+
+
+def described(signal, autosar):
     """Return the line of a signal."""
     choices = {key: str(text) for key, text in (signal.choices or {}).items()}
+    minimum, maximum = limits(signal, autosar)
     return " ".join(
         [
             signal.name,
@@ -24,11 +33,12 @@ def described(signal):
             "float" if signal.is_float else "signed" if signal.is_signed else "unsigned",
             number(signal.scale),
             number(signal.offset),
-            number(signal.minimum),
-            number(signal.maximum),
+            number(minimum),
+            number(maximum),
             repr(signal.unit or ""),
             "M" if signal.is_multiplexer else "-",
             ",".join(map(str, signal.multiplexer_ids or [])) or "-",
+            str(signal.raw_initial) if autosar and signal.raw_initial is not None else "none",
             repr(sorted(choices.items())),
             repr(signal.comment or ""),
         ]
@@ -39,6 +49,7 @@ def lines(file):
     """Return the lines of a network, or that it is refused."""
     try:
         network = cantools.database.load_file(file, strict=True, sort_signals=None)
+        autosar = file.suffix == ".arxml"
     except cantools.database.UnsupportedDatabaseFormatError:
         return ["refused"]
     found = [f"nodes {' '.join(node.name for node in network.nodes)}"]
@@ -49,11 +60,12 @@ def lines(file):
             f"message {message.name} {message.frame_id} {extended} {message.length} {senders} "
             f"{message.cycle_time or 0} {message.comment or ''!r}"
         )
-        found += [described(signal) for signal in message.signals]
+        found += [described(signal, autosar) for signal in message.signals]
     return found
 
 
-for file in sorted(Path(sys.argv[1]).glob("*.dbc")):
+logging.disable(logging.WARNING)
+for file in sorted(Path(sys.argv[1]).iterdir()):
     print(f"file {file.name}")
     for line in lines(file):
         print(line)

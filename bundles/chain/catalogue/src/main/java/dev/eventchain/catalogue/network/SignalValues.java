@@ -1,4 +1,4 @@
-package dev.eventchain.catalogue.dbc;
+package dev.eventchain.catalogue.network;
 
 import java.math.BigDecimal;
 import java.math.BigInteger;
@@ -18,7 +18,7 @@ import java.util.function.Predicate;
  * @param special raw numbers with a text whose values are outside the stated range, such as those
  *     that stand for an error
  */
-record DbcValues(
+public record SignalValues(
     String type,
     OptionalDouble least,
     OptionalDouble most,
@@ -31,12 +31,12 @@ record DbcValues(
   private static final List<Integer> SIZES = List.of(8, 16, 32, 64);
 
   /** Copies the list. */
-  DbcValues {
+  public SignalValues {
     special = List.copyOf(special);
   }
 
   /** Returns the values of a signal; empty if it is a float of another size than its bits. */
-  static Optional<DbcValues> of(DbcSignal signal) {
+  public static Optional<SignalValues> of(NetworkSignal signal) {
     return switch (signal.coding()) {
       case INTEGER -> Optional.of(integer(signal));
       case FLOAT -> floating(signal, 32);
@@ -44,18 +44,17 @@ record DbcValues(
     };
   }
 
-  private static Optional<DbcValues> floating(DbcSignal signal, int bits) {
-    DbcSignal.Layout layout = signal.layout();
+  private static Optional<SignalValues> floating(NetworkSignal signal, int bits) {
+    NetworkSignal.Layout layout = signal.layout();
     if (layout.length() != bits) {
       return Optional.empty();
     }
     boolean scaled =
         layout.factor().compareTo(BigDecimal.ONE) != 0 || layout.offset().signum() != 0;
     String type = bits == 64 || scaled ? "float64" : "float32";
-    boolean none = !layout.hasRange() || layout.least().compareTo(layout.most()) > 0;
-    if (none) {
+    if (!layout.hasRange() || layout.isTurned()) {
       OptionalDouble any = OptionalDouble.empty();
-      return Optional.of(new DbcValues(type, any, any, layout.hasRange(), List.of()));
+      return Optional.of(new SignalValues(type, any, any, layout.hasRange(), List.of()));
     }
     return Optional.of(
         within(
@@ -66,8 +65,8 @@ record DbcValues(
             special(signal, raw -> finite(layout.physical(raw)).isPresent())));
   }
 
-  private static DbcValues integer(DbcSignal signal) {
-    DbcSignal.Layout layout = signal.layout();
+  private static SignalValues integer(NetworkSignal signal) {
+    NetworkSignal.Layout layout = signal.layout();
     int bits = layout.length();
     BigInteger count = BigInteger.ONE.shiftLeft(layout.signed() ? bits - 1 : bits);
     BigDecimal lowest = new BigDecimal(layout.signed() ? count.negate() : BigInteger.ZERO);
@@ -79,48 +78,50 @@ record DbcValues(
     String type = type(layout, least, most);
     boolean outside =
         layout.hasRange()
-            && (layout.least().compareTo(layout.most()) > 0
-                || layout.least().compareTo(most) > 0
-                || layout.most().compareTo(least) < 0);
+            && (layout.isTurned()
+                || layout.least().filter(it -> it.compareTo(most) > 0).isPresent()
+                || layout.most().filter(it -> it.compareTo(least) < 0).isPresent());
     if (!layout.hasRange() || outside || type.equals("bool")) {
-      return new DbcValues(type, finite(least), finite(most), outside, List.of());
+      return new SignalValues(type, finite(least), finite(most), outside, List.of());
     }
     List<BigDecimal> special =
         special(
             signal,
             raw -> isWhole(raw) && raw.compareTo(lowest) >= 0 && raw.compareTo(highest) <= 0);
-    return within(layout, type, least.max(layout.least()), most.min(layout.most()), special);
+    return within(
+        layout,
+        type,
+        Optional.of(layout.least().map(least::max).orElse(least)),
+        Optional.of(layout.most().map(most::min).orElse(most)),
+        special);
   }
 
   /** Returns the raw numbers that the bits hold, with a text and outside the stated range. */
-  private static List<BigDecimal> special(DbcSignal signal, Predicate<BigDecimal> held) {
-    DbcSignal.Layout layout = signal.layout();
+  private static List<BigDecimal> special(NetworkSignal signal, Predicate<BigDecimal> held) {
+    NetworkSignal.Layout layout = signal.layout();
     return signal.texts().keySet().stream()
         .filter(held)
-        .filter(
-            raw ->
-                layout.physical(raw).compareTo(layout.least()) < 0
-                    || layout.physical(raw).compareTo(layout.most()) > 0)
+        .filter(raw -> layout.excludes(layout.physical(raw)))
         .toList();
   }
 
   /** Returns the values from a least to a greatest one, and those of special raw numbers. */
-  private static DbcValues within(
-      DbcSignal.Layout layout,
+  private static SignalValues within(
+      NetworkSignal.Layout layout,
       String type,
-      BigDecimal least,
-      BigDecimal most,
+      Optional<BigDecimal> least,
+      Optional<BigDecimal> most,
       List<BigDecimal> special) {
     List<BigDecimal> values = special.stream().map(layout::physical).toList();
-    return new DbcValues(
+    return new SignalValues(
         type,
-        finite(values.stream().reduce(least, BigDecimal::min)),
-        finite(values.stream().reduce(most, BigDecimal::max)),
+        finite(least.map(it -> values.stream().reduce(it, BigDecimal::min))),
+        finite(most.map(it -> values.stream().reduce(it, BigDecimal::max))),
         false,
         special);
   }
 
-  private static String type(DbcSignal.Layout layout, BigDecimal least, BigDecimal most) {
+  private static String type(NetworkSignal.Layout layout, BigDecimal least, BigDecimal most) {
     boolean plain = layout.factor().compareTo(BigDecimal.ONE) == 0 && layout.offset().signum() == 0;
     if (plain && layout.length() == 1 && !layout.signed()) {
       return "bool";
@@ -141,12 +142,16 @@ record DbcValues(
   }
 
   /** Returns a number with all of its digits, and without zeros at its end. */
-  static String plain(BigDecimal number) {
+  public static String plain(BigDecimal number) {
     return number.stripTrailingZeros().toPlainString();
   }
 
   private static boolean isWhole(BigDecimal number) {
     return number.stripTrailingZeros().scale() <= 0;
+  }
+
+  private static OptionalDouble finite(Optional<BigDecimal> number) {
+    return number.map(SignalValues::finite).orElse(OptionalDouble.empty());
   }
 
   private static OptionalDouble finite(BigDecimal number) {

@@ -1,4 +1,4 @@
-package dev.eventchain.catalogue.dbc;
+package dev.eventchain.catalogue.network;
 
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
@@ -17,9 +17,9 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /** The signals of a network as those of a catalogue, with physical values. */
-final class DbcSignals {
+public final class NetworkSignals {
 
-  private final DbcNetwork network;
+  private final Network network;
   private final Optional<String> node;
   private final Consumer<Diagnostic> findings;
   private final Set<String> paths = new HashSet<>();
@@ -29,24 +29,24 @@ final class DbcSignals {
    *
    * @param node the node that the software is; empty if it only receives
    */
-  DbcSignals(DbcNetwork network, Optional<String> node, Consumer<Diagnostic> findings) {
+  public NetworkSignals(Network network, Optional<String> node, Consumer<Diagnostic> findings) {
     this.network = network;
     this.node = node;
     this.findings = findings;
   }
 
   /** Returns the signals of all messages, in the order of the file. */
-  List<CatalogueSignal> all() {
+  public List<CatalogueSignal> all() {
     List<CatalogueSignal> signals = new ArrayList<>();
-    for (DbcMessage message : network.messages()) {
-      for (DbcSignal signal : message.signals().values()) {
+    for (NetworkMessage message : network.messages()) {
+      for (NetworkSignal signal : message.signals().values()) {
         signal(message, signal).ifPresent(signals::add);
       }
     }
     return signals;
   }
 
-  private Optional<CatalogueSignal> signal(DbcMessage message, DbcSignal signal) {
+  private Optional<CatalogueSignal> signal(NetworkMessage message, NetworkSignal signal) {
     String path = part(message.name()) + "." + part(signal.name());
     boolean legal = path.matches("[A-Za-z][A-Za-z0-9_]*\\.[A-Za-z][A-Za-z0-9_]*");
     if (!legal || !paths.add(path)) {
@@ -58,7 +58,7 @@ final class DbcSignals {
       find(reason, signal.place());
       return Optional.empty();
     }
-    Optional<DbcValues> values = DbcValues.of(signal);
+    Optional<SignalValues> values = SignalValues.of(signal);
     if (values.isEmpty()) {
       find("'" + path + "' is a number with a point, but not of its size.", signal.place());
       return Optional.empty();
@@ -75,7 +75,7 @@ final class DbcSignals {
   }
 
   private CatalogueSignal converted(
-      DbcMessage message, DbcSignal signal, String path, DbcValues values) {
+      NetworkMessage message, NetworkSignal signal, String path, SignalValues values) {
     boolean sent = node.filter(message.senders()::contains).isPresent();
     boolean truth = values.type().equals("bool");
     return new CatalogueSignal(
@@ -101,13 +101,13 @@ final class DbcSignals {
   }
 
   /** Returns the unit; empty for what tools write where there is none. */
-  private static String unit(DbcSignal signal) {
+  private static String unit(NetworkSignal signal) {
     String unit = CatalogueUnits.of(signal.unit().strip());
-    return unit.matches("(?i)-|n/?a|none|unitless") ? "" : unit;
+    return CatalogueUnits.isNone(unit) ? "" : unit;
   }
 
   /** Returns the comment, with meanings of numbers, and when it is sent. */
-  private String description(DbcMessage message, DbcSignal signal, DbcValues values) {
+  private String description(NetworkMessage message, NetworkSignal signal, SignalValues values) {
     List<String> sentences = new ArrayList<>();
     if (!signal.comment().isBlank()) {
       String comment = signal.comment().strip();
@@ -116,16 +116,21 @@ final class DbcSignals {
     sentences.addAll(texts(signal, values.special()));
     message
         .condition(signal)
-        .map(DbcCondition::text)
+        .map(SendingCondition::text)
         .ifPresent(when -> sentences.add("Only sent where " + when + "."));
-    if (network.cycle(message) > 0) {
-      sentences.add("Sent every " + network.cycle(message) + " ms.");
+    signal
+        .initial()
+        .map(raw -> SignalValues.plain(signal.layout().physical(raw)))
+        .ifPresent(value -> sentences.add("At first " + value + "."));
+    int cycle = signal.cycle().orElse(network.cycle(message));
+    if (cycle > 0) {
+      sentences.add("Sent every " + cycle + " ms.");
     }
     return String.join(" ", sentences);
   }
 
   /** Returns the names of physical values, without those of numbers that its bits do not hold. */
-  private static List<NamedNumber> names(DbcSignal signal, DbcValues values) {
+  private static List<NamedNumber> names(NetworkSignal signal, SignalValues values) {
     return signal.texts().entrySet().stream()
         .map(
             it ->
@@ -138,8 +143,8 @@ final class DbcSignals {
   }
 
   /** Returns the meanings of values, and apart from them those outside the stated range. */
-  private static List<String> texts(DbcSignal signal, List<BigDecimal> special) {
-    DbcSignal.Layout layout = signal.layout();
+  private static List<String> texts(NetworkSignal signal, List<BigDecimal> special) {
+    NetworkSignal.Layout layout = signal.layout();
     List<String> usual = new ArrayList<>();
     List<String> outside = new ArrayList<>();
     signal
@@ -147,16 +152,24 @@ final class DbcSignals {
         .forEach(
             (raw, text) ->
                 (special.contains(raw) ? outside : usual)
-                    .add(DbcValues.plain(layout.physical(raw)) + " " + text));
+                    .add(SignalValues.plain(layout.physical(raw)) + " " + text));
     List<String> sentences = new ArrayList<>();
     if (!usual.isEmpty()) {
       sentences.add("Values: " + String.join(", ", usual) + ".");
     }
     if (!outside.isEmpty()) {
-      String range = DbcValues.plain(layout.least()) + " to " + DbcValues.plain(layout.most());
-      sentences.add("Outside of " + range + ": " + String.join(", ", outside) + ".");
+      sentences.add(outsideOf(layout) + ": " + String.join(", ", outside) + ".");
     }
     return sentences;
+  }
+
+  private static String outsideOf(NetworkSignal.Layout layout) {
+    Optional<String> least = layout.least().map(SignalValues::plain);
+    Optional<String> most = layout.most().map(SignalValues::plain);
+    if (least.isEmpty() || most.isEmpty()) {
+      return least.map(it -> "Below " + it).or(() -> most.map(it -> "Above " + it)).orElse("");
+    }
+    return "Outside of " + least.get() + " to " + most.get();
   }
 
   private void find(String message, SourceLocation place) {

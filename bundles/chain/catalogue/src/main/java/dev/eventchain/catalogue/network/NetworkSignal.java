@@ -1,4 +1,4 @@
-package dev.eventchain.catalogue.dbc;
+package dev.eventchain.catalogue.network;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import java.math.BigDecimal;
@@ -6,10 +6,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.IntStream;
 
-/** A signal of a message, while its statements are read. */
-final class DbcSignal {
+/** A signal of a message, while its description is read. */
+public final class NetworkSignal {
 
   /**
    * Place and coding of a signal.
@@ -19,20 +20,21 @@ final class DbcSignal {
    * @param length in bits
    * @param factor of a raw number
    * @param offset added after that
-   * @param least and {@code most}: the stated range; both 0 for none
+   * @param least the least value of the stated range; empty for none
+   * @param most the greatest one
    */
-  record Layout(
+  public record Layout(
       int start,
       int length,
       boolean bigEndian,
       boolean signed,
       BigDecimal factor,
       BigDecimal offset,
-      BigDecimal least,
-      BigDecimal most) {
+      Optional<BigDecimal> least,
+      Optional<BigDecimal> most) {
 
     /** Returns whether all bits are in a message of some bytes. */
-    boolean fits(int size) {
+    public boolean fits(int size) {
       long bits = 8L * size;
       if (!bigEndian) {
         return start + (long) length <= bits;
@@ -43,7 +45,7 @@ final class DbcSignal {
     }
 
     /** Returns the numbers of all bits, which are counted from the least one of each byte. */
-    List<Integer> bits() {
+    public List<Integer> bits() {
       int first = 8 * (start / 8) + 7 - start % 8;
       return IntStream.range(0, length)
           .map(i -> bigEndian ? 8 * ((first + i) / 8) + 7 - (first + i) % 8 : start + i)
@@ -52,17 +54,28 @@ final class DbcSignal {
     }
 
     /** Returns what a raw number means, in the unit of the signal. */
-    BigDecimal physical(BigDecimal raw) {
+    public BigDecimal physical(BigDecimal raw) {
       return raw.multiply(factor).add(offset);
     }
 
-    boolean hasRange() {
-      return least.signum() != 0 || most.signum() != 0;
+    public boolean hasRange() {
+      return least.isPresent() || most.isPresent();
+    }
+
+    /** Returns whether a value is outside the stated range. */
+    public boolean excludes(BigDecimal value) {
+      return least.filter(it -> value.compareTo(it) < 0).isPresent()
+          || most.filter(it -> value.compareTo(it) > 0).isPresent();
+    }
+
+    /** Returns whether the stated range ends before it begins. */
+    boolean isTurned() {
+      return most.filter(end -> least.filter(it -> it.compareTo(end) > 0).isPresent()).isPresent();
     }
   }
 
   /** Coding of the raw value. */
-  enum Coding {
+  public enum Coding {
     INTEGER,
     FLOAT,
     DOUBLE
@@ -77,14 +90,17 @@ final class DbcSignal {
   private Coding coding = Coding.INTEGER;
   private String longName = "";
   private String comment = "";
-  private Optional<DbcCondition> condition = Optional.empty();
+  private OptionalInt cycle = OptionalInt.empty();
+  private Optional<BigDecimal> initial = Optional.empty();
+  private Optional<SendingCondition> condition = Optional.empty();
 
   /**
    * Creates a signal.
    *
    * @param multiplexing {@code M}, {@code m0}, {@code m0M}, or empty
    */
-  DbcSignal(String name, String multiplexing, Layout layout, String unit, SourceLocation place) {
+  public NetworkSignal(
+      String name, String multiplexing, Layout layout, String unit, SourceLocation place) {
     this.name = name;
     this.multiplexing = multiplexing;
     this.layout = layout;
@@ -92,62 +108,80 @@ final class DbcSignal {
     this.place = place;
   }
 
-  String name() {
+  public String name() {
     return longName.isEmpty() ? name : longName;
   }
 
-  boolean isMultiplexer() {
+  public boolean isMultiplexer() {
     return multiplexing.endsWith("M");
   }
 
   /** Returns the number of the multiplexer with which it is there; empty if it always is. */
-  String multiplexed() {
+  public String multiplexed() {
     return multiplexing.replaceAll("[mM]", "");
   }
 
-  Layout layout() {
+  public Layout layout() {
     return layout;
   }
 
-  String unit() {
+  public String unit() {
     return unit;
   }
 
-  SourceLocation place() {
+  public SourceLocation place() {
     return place;
   }
 
   /** Returns the meanings of raw numbers, which are without zeros at their ends. */
-  Map<BigDecimal, String> texts() {
+  public Map<BigDecimal, String> texts() {
     return texts;
   }
 
-  Coding coding() {
+  public Coding coding() {
     return coding;
   }
 
-  String comment() {
+  public String comment() {
     return comment;
   }
 
+  /** Returns the time between two of it in ms, if that is not the one of its message. */
+  public OptionalInt cycle() {
+    return cycle;
+  }
+
+  /** Returns the raw number that is sent before any other. */
+  public Optional<BigDecimal> initial() {
+    return initial;
+  }
+
   /** Returns when it is there by a statement of its own. */
-  Optional<DbcCondition> condition() {
+  public Optional<SendingCondition> condition() {
     return condition;
   }
 
-  void rename(String full) {
+  public void rename(String full) {
     longName = full;
   }
 
-  void comment(String text) {
+  public void comment(String text) {
     comment = text;
   }
 
-  void coding(Coding other) {
+  public void coding(Coding other) {
     coding = other;
   }
 
-  void condition(DbcCondition when) {
+  public void cycle(int milliseconds) {
+    cycle = OptionalInt.of(milliseconds);
+  }
+
+  public void initial(BigDecimal raw) {
+    initial = Optional.of(raw);
+  }
+
+  public void condition(SendingCondition when) {
     condition = Optional.of(when);
   }
 }

@@ -1,4 +1,4 @@
-package dev.eventchain.catalogue.dbc;
+package dev.eventchain.catalogue.network;
 
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -14,15 +14,15 @@ import java.util.function.Consumer;
  * Finds signals of a message that share bits. Signals with other numbers of the same multiplexer
  * are never in a message at once, and may.
  */
-final class DbcOverlaps {
+public final class SharedBits {
 
   /** The first signal at each bit, of those that are in a message under the same conditions. */
   private static final class Group {
 
-    private final Map<DbcSignal, List<DbcCondition.Range>> conditions;
-    private final Map<Integer, DbcSignal> owners = new HashMap<>();
+    private final Map<NetworkSignal, List<SendingCondition.Range>> conditions;
+    private final Map<Integer, NetworkSignal> owners = new HashMap<>();
 
-    Group(Map<DbcSignal, List<DbcCondition.Range>> conditions) {
+    Group(Map<NetworkSignal, List<SendingCondition.Range>> conditions) {
       this.conditions = conditions;
     }
 
@@ -36,7 +36,7 @@ final class DbcOverlaps {
     }
 
     /** Returns the only multiplexer on which it depends, if that has one number for it. */
-    Optional<DbcSignal> numbered() {
+    Optional<NetworkSignal> numbered() {
       return conditions.entrySet().stream()
           .filter(each -> conditions.size() == 1 && each.getValue().size() == 1)
           .filter(each -> each.getValue().get(0).isOneNumber())
@@ -45,7 +45,7 @@ final class DbcOverlaps {
     }
 
     private static boolean areJoint(
-        List<DbcCondition.Range> ranges, List<DbcCondition.Range> others) {
+        List<SendingCondition.Range> ranges, List<SendingCondition.Range> others) {
       return ranges.stream()
           .anyMatch(
               one ->
@@ -56,45 +56,46 @@ final class DbcOverlaps {
                                   && other.from().compareTo(one.to()) <= 0));
     }
 
-    Optional<DbcSignal> owner(List<Integer> bits) {
+    Optional<NetworkSignal> owner(List<Integer> bits) {
       return bits.stream().filter(owners::containsKey).map(owners::get).findFirst();
     }
 
-    void add(DbcSignal signal, List<Integer> bits) {
+    void add(NetworkSignal signal, List<Integer> bits) {
       bits.forEach(bit -> owners.putIfAbsent(bit, signal));
     }
   }
 
-  private final DbcMessage message;
-  private final Map<Map<DbcSignal, List<DbcCondition.Range>>, Group> groups = new LinkedHashMap<>();
+  private final NetworkMessage message;
+  private final Map<Map<NetworkSignal, List<SendingCondition.Range>>, Group> groups =
+      new LinkedHashMap<>();
   private final Map<Group, List<Group>> meeting = new LinkedHashMap<>();
 
-  private DbcOverlaps(DbcMessage message) {
+  private SharedBits(NetworkMessage message) {
     this.message = message;
   }
 
   /** Reports each signal that shares bits with one before it. */
-  static void check(DbcMessage message, Consumer<Diagnostic> findings) {
-    DbcOverlaps overlaps = new DbcOverlaps(message);
+  public static void check(NetworkMessage message, Consumer<Diagnostic> findings) {
+    SharedBits overlaps = new SharedBits(message);
     message.signals().values().forEach(overlaps::group);
     overlaps.findMeeting();
-    for (DbcSignal signal : message.signals().values()) {
+    for (NetworkSignal signal : message.signals().values()) {
       overlaps.place(signal).ifPresent(findings);
     }
   }
 
-  private Group group(DbcSignal signal) {
+  private Group group(NetworkSignal signal) {
     return groups.computeIfAbsent(message.conditions(signal), Group::new);
   }
 
   /** Finds what may meet; of the many groups with one number each of a multiplexer, none do. */
   private void findMeeting() {
-    Map<Optional<DbcSignal>, List<Group>> byNumber = new LinkedHashMap<>();
+    Map<Optional<NetworkSignal>, List<Group>> byNumber = new LinkedHashMap<>();
     for (Group each : groups.values()) {
       byNumber.computeIfAbsent(each.numbered(), key -> new ArrayList<>()).add(each);
     }
     for (Group one : groups.values()) {
-      Optional<DbcSignal> numbered = one.numbered();
+      Optional<NetworkSignal> numbered = one.numbered();
       List<Group> others = new ArrayList<>(List.of(one));
       byNumber.forEach(
           (multiplexer, some) -> {
@@ -106,10 +107,10 @@ final class DbcOverlaps {
     }
   }
 
-  private Optional<Diagnostic> place(DbcSignal signal) {
+  private Optional<Diagnostic> place(NetworkSignal signal) {
     Group own = group(signal);
     List<Integer> bits = signal.layout().bits();
-    Optional<DbcSignal> earlier =
+    Optional<NetworkSignal> earlier =
         meeting.get(own).stream().flatMap(each -> each.owner(bits).stream()).findFirst();
     own.add(signal, bits);
     return earlier.map(

@@ -1,0 +1,2 @@
+/** Messages of a network with their signals, and what components see of them. */
+package dev.eventchain.catalogue.network;
