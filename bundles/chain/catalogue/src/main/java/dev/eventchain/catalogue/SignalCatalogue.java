@@ -1,5 +1,6 @@
 package dev.eventchain.catalogue;
 
+import dev.eventchain.catalogue.arxml.ArxmlFormat;
 import dev.eventchain.catalogue.dbc.DbcFormat;
 import dev.eventchain.catalogue.ddsidl.DdsIdlFormat;
 import dev.eventchain.catalogue.signal.CatalogueFormat;
@@ -22,7 +23,7 @@ import java.util.stream.Collectors;
 public final class SignalCatalogue {
 
   private static final List<CatalogueFormat> FORMATS =
-      List.of(new VssFormat(), new DdsIdlFormat(), new DbcFormat());
+      List.of(new VssFormat(), new DdsIdlFormat(), new DbcFormat(), new ArxmlFormat());
 
   private final Map<String, CatalogueSignal> byPath = new LinkedHashMap<>();
   private final CatalogueTopics topics;
@@ -53,14 +54,14 @@ public final class SignalCatalogue {
       return new SignalCatalogue(List.of(), new CatalogueTopics("none"), found);
     }
     List<CatalogueSignal> signals = format.get().read(source, found::add);
-    if (signals.isEmpty() && found.isEmpty()) {
+    if (signals.isEmpty() && !Diagnostic.anyError(found)) {
       found.add(
           Diagnostic.of(
                   CatalogueRules.EMPTY,
                   "The catalogue has no signals.",
                   SourceLocation.of(source.file()))
               .withHint(
-                  "In VSS, a signal has the type sensor, actuator or attribute; in DBC, it is an SG_ of a message."));
+                  "In VSS, a signal has the type sensor, actuator or attribute; in DBC, it is an SG_ of a message; in ARXML, an I-SIGNAL of a frame on CAN."));
     }
     return new SignalCatalogue(signals, new CatalogueTopics(format.get().prefix()), found);
   }

@@ -17,7 +17,9 @@ public final class CatalogueRules {
   public static final Rule OVERLAP = Rule.warning("catalogue.overlap");
   public static final Rule OVERLAY = Rule.error("catalogue.overlay");
   public static final Rule RANGE = Rule.warning("catalogue.range");
+  public static final Rule REFERENCE = Rule.error("catalogue.reference");
   public static final Rule SIZE = Rule.error("catalogue.size");
+  public static final Rule UNREAD = Rule.warning("catalogue.unread");
 
   private CatalogueRules() {}
 
@@ -34,6 +36,6 @@ public final class CatalogueRules {
             NODE,
             format + " has no nodes, so there is no '" + source.node().orElse("") + "'.",
             SourceLocation.of(source.file()))
-        .withHint("Leave `node` out; only a network in DBC has nodes.");
+        .withHint("Leave `node` out; only a network in DBC or ARXML has nodes.");
   }
 }
