@@ -100,8 +100,8 @@ final class StageCommands {
         paramLabel = "NAME|FILE",
         description =
             "Simulate, instead of the project's scenarios, the cases of a suite:"
-                + " euro-ncap-2023-c2c, euro-ncap-2023-vru, euro-ncap-2026-ccr, un-r152, un-r152-pedestrian,"
-                + " un-r157-alks, or those of a campaign file about scenarios of its own ('eventchain suites' says more). The"
+                + " euro-ncap-2023-c2c, euro-ncap-2023-vru, euro-ncap-2026-ccr, euro-ncap-2026-junction, un-r152,"
+                + " un-r152-pedestrian, un-r157-alks, or those of a campaign file about scenarios of its own ('eventchain suites' says more). The"
                 + " nodes are generated first, as far as something has changed. Results are in OUTPUT/campaigns.")
     private String suite;
 

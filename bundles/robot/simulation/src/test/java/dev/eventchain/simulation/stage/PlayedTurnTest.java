@@ -97,8 +97,7 @@ class PlayedTurnTest {
   @Test
   void anotherSteeringTakesTheWheel() {
     drive(world, 1);
-    world.command(
-        world.now(), VehicleCommand.of(Map.of(Actuator.STEERING, 0.2), situation.ego()));
+    world.command(world.now(), VehicleCommand.of(Map.of(Actuator.STEERING, 0.2), situation.ego()));
     drive(world, 3);
     assertTrue(world.ego().front().heading() < -0.1, "to the right");
     world.command(world.now(), VehicleCommand.idle(true));

@@ -39,7 +39,7 @@ public final class Suites {
    * A suite that comes with the program.
    *
    * @param source the protocol that it is after
-   * @param scenarios the names of its scenario files
+   * @param scenarios the names of its scenario files, and those of the files that they play
    */
   private record Known(String source, List<String> scenarios) {
 
@@ -74,6 +74,15 @@ public final class Suites {
                   "ccr",
                   "ccrb",
                   "next-lane"),
+              "euro-ncap-2026-junction",
+              new Known(
+                  "Euro NCAP, Crash Avoidance - Frontal Collisions (2026): CCFtap, CCCscp",
+                  "cccscp",
+                  "ccftap",
+                  "crossed-before",
+                  "crossing.xosc",
+                  "left-turn.xosc",
+                  "turns-in-a-gap"),
               "un-r152",
               new Known(
                   "UN Regulation No. 152 (M1): car to car",
@@ -213,7 +222,7 @@ public final class Suites {
   }
 
   private static void write(OutputFolder written, String suite, String name) {
-    String file = name + ".yaml";
+    String file = name.endsWith(".xosc") ? name : name + ".yaml";
     try (InputStream input = Suites.class.getResourceAsStream(RESOURCES + suite + "/" + file)) {
       written
           .write(file, input.readAllBytes(), OutputFolder.OnEdit.OVERWRITE)

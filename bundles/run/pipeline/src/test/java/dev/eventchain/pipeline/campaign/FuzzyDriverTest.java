@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Tests which cut-ins the suite of UN R157 takes for preventable against the driver of the Fuzzy
- * Safety Model (Mattas et al. 2020), with the figures of JRC-FSM, who looks every 0.1 s.
+ * Tests which cut-ins and cut-outs the suite of UN R157 takes for preventable against the driver of
+ * the Fuzzy Safety Model (Mattas et al. 2020), with the figures of JRC-FSM, who looks every 0.1 s.
  */
 class FuzzyDriverTest {
 
@@ -126,9 +126,9 @@ class FuzzyDriverTest {
     return true;
   }
 
-  private Set<String> kept() {
+  private Set<String> kept(String part) {
     return CampaignReader.read(Suites.file("un-r157-alks", folder)).stream()
-        .filter(each -> each.part().equals(Optional.of("cut_in_fuzzy")))
+        .filter(each -> each.part().equals(Optional.of(part)))
         .flatMap(plan -> new CaseList(plan).cases().stream())
         .map(CampaignCase::values)
         .map(Object::toString)
@@ -156,7 +156,56 @@ class FuzzyDriverTest {
         }
       }
     }
-    assertEquals(avoided, kept());
+    assertEquals(avoided, kept("cut_in_fuzzy"));
     assertTrue(hit > 30, "some cannot be prevented");
+  }
+
+  /** Returns one who drives towards what stands, from the moment at which it is seen. */
+  private static CutIn standing(double speed, double distance) {
+    CutIn standing = new CutIn(speed, 0, 0, distance);
+    standing.across = 0;
+    return standing;
+  }
+
+  @Test
+  void theCutOutsOfTheSuiteAreThoseThatTheFuzzyModelAvoids() {
+    Set<String> avoided = new TreeSet<>();
+    int hit = 0;
+    for (int speed = 20; speed <= 60; speed += 20) {
+      for (String aside : new String[] {"0.5", "1", "1.5"}) {
+        for (String headway : new String[] {"0.4", "0.7", "1", "1.5"}) {
+          double lateral = Double.parseDouble(aside);
+          // Out of the way, 1.9 m aside, 1 m before the other one, which is then 5.3 m ahead of its
+          // rear; seen when it is 0.375 m aside. It begins with 3 m/s2.
+          double seen = (WIDTH - 0.375) / lateral + Double.parseDouble(headway);
+          double distance = speed / 3.6 * seen + LENGTH + 1;
+          boolean soon = avoids(standing(speed, distance), 0);
+          boolean late = avoids(standing(speed, distance), 199);
+          String values = "[%d, %s, %s]".formatted(speed, aside, headway);
+          assertEquals(soon, late, () -> values + " depends on when the driver looks");
+          hit += soon ? 0 : 1;
+          if (soon) {
+            avoided.add(values);
+          }
+        }
+      }
+    }
+    assertEquals(avoided, kept("cut_out_fuzzy"));
+    assertEquals(5, hit, "some cannot be prevented");
+  }
+
+  /** The formula of the suite: reaction, jerk, and the hardest braking of the model. */
+  @Test
+  void theFuzzyModelNeedsTheDistanceOfAClosedForm() {
+    for (int speed = 20; speed <= 60; speed += 10) {
+      double meters = speed / 3.6;
+      for (int first : new int[] {0, 199}) {
+        double reaction = 0.8 + first * STEP;
+        double closed =
+            (reaction + 0.4) * meters - 0.19 + (meters - 1.265) * (meters - 1.265) / (2 * 6);
+        assertTrue(avoids(standing(speed, closed + 0.25), first), speed + " km/h, " + first);
+        assertTrue(!avoids(standing(speed, closed), first), speed + " km/h, " + first);
+      }
+    }
   }
 }

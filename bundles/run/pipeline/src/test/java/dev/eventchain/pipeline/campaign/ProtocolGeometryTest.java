@@ -1,17 +1,10 @@
 package dev.eventchain.pipeline.campaign;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
-import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
-import dev.eventchain.pipeline.campaign.plan.CampaignReader;
-import dev.eventchain.pipeline.campaign.plan.CaseList;
-import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.world.Actor;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,24 +37,11 @@ class ProtocolGeometryTest {
    */
   private void assertMet(
       String suite, String part, double time, double point, ToDoubleFunction<CampaignCase> across) {
-    Path file = Suites.file(suite, folder);
-    CampaignPlan plan =
-        CampaignReader.read(file).stream()
-            .filter(each -> each.part().equals(Optional.of(part)))
-            .findFirst()
-            .orElseThrow();
-    Bench bench = Bench.carla();
-    CampaignWorld world =
-        new CampaignWorld(
-            bench, text -> bench, Optional.empty(), List.of(), file.resolveSibling("scenarios"));
-    ScenarioTemplate template =
-        new ScenarioTemplate(world, plan, plan.scenarioFile().orElseThrow());
-    List<CampaignCase> cases = new CaseList(plan).cases();
-    assertFalse(cases.isEmpty());
-    for (CampaignCase each : cases) {
-      Actor other = template.of(each).scenario().situation().actors().get(0);
+    for (SuiteCases.Case one : SuiteCases.of(suite, part, folder)) {
+      CampaignCase each = one.values();
+      Actor other = one.situation().actors().get(0);
       double speed = each.values().get(0).doubleValue() / 3.6;
-      String words = part + " " + each.words(plan);
+      String words = one.words();
       assertEquals(speed * time, other.rear(time), CLOSE, words);
       double met = other.across(time) + point * Math.sin(other.direction());
       assertEquals(across.applyAsDouble(each), met, CLOSE, words);

@@ -32,6 +32,7 @@ class SuitesTest {
             "euro-ncap-2023-c2c",
             "euro-ncap-2023-vru",
             "euro-ncap-2026-ccr",
+            "euro-ncap-2026-junction",
             "un-r152",
             "un-r152-pedestrian",
             "un-r157-alks"),
@@ -65,9 +66,15 @@ class SuitesTest {
       assertTrue(
           list.text().contains(suite.cases() + " cases  " + suite.source() + "\n"), list::text);
     }
-    Suites.Listing.Part first = list.suites().get(4).campaigns().get(0);
+    Suites.Listing.Part first = list.suites().get(5).campaigns().get(0);
     assertEquals(new Suites.Listing.Part("crossing", "crossing.yaml", 9), first);
     assertTrue(list.json().contains("\"campaigns\": ["), list.json());
+    assertEquals(
+        "[ccftap 9, cccscp 50, turns_in_a_gap 8, crossed_before 12]",
+        list.suites().get(3).campaigns().stream()
+            .map(part -> part.name() + " " + part.cases())
+            .toList()
+            .toString());
   }
 
   /** A function that always brakes would pass without them. */
@@ -93,6 +100,7 @@ class SuitesTest {
         "euro-ncap-2023-c2c",
         "euro-ncap-2023-vru",
         "euro-ncap-2026-ccr",
+        "euro-ncap-2026-junction",
         "un-r152",
         "un-r152-pedestrian"
       })
