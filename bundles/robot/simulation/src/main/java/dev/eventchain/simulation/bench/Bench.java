@@ -376,6 +376,13 @@ public final class Bench {
     return declared;
   }
 
+  /** Returns whether the software commands a speed. */
+  public boolean drivesSpeed() {
+    return consumed.values().stream()
+        .flatMap(topic -> topic.fields().stream())
+        .anyMatch(effect -> effect.actuator().equals(Optional.of(Actuator.SPEED)));
+  }
+
   /** Returns what a proposal would say of the fields of a topic; none if it is not declared. */
   List<String> guesses(String topic) {
     BenchProposal proposal = new BenchProposal(List.of(), signals.catalog(), Map.of());

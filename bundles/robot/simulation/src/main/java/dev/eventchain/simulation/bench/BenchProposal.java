@@ -9,10 +9,12 @@ import dev.eventchain.model.Signal.Direction;
 import dev.eventchain.model.Signal.Field;
 import dev.eventchain.simulation.world.Actuator;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
@@ -68,6 +70,7 @@ final class BenchProposal {
       #  maximal_acceleration_mps2: ?
       #  maximal_deceleration_mps2: ?
       #  command_timeout_s: ? # without commands it stops by itself after this time; 0 if it never does
+      #  maximal_yaw_rate_radps: ? # of a robot that turns on the spot; leave it out for steered wheels
       """;
 
   /** Messages of a commanded motion. */
@@ -79,6 +82,9 @@ final class BenchProposal {
   private final MessageCatalog catalog;
   private final Map<String, Double> rates;
   private final StringBuilder text = new StringBuilder();
+
+  /** What the topics so far drive: a vehicle follows only one of two that drive the same. */
+  private final Set<Actuator> driven = EnumSet.noneOf(Actuator.class);
 
   /** The lines for the first number or Boolean that could not be guessed. */
   private Optional<String> inputs = Optional.empty();
@@ -293,20 +299,36 @@ final class BenchProposal {
       return lines;
     }
     List<String> fields = new ArrayList<>();
-    List<Actuator> used = new ArrayList<>();
+    Set<Actuator> used = driven();
+    int before = used.size();
     for (Field field : signal.fields()) {
       Optional<Actuator> actuator = actuator(signal, field);
       boolean free = actuator.isPresent() && used.stream().noneMatch(actuator.get()::excludes);
       actuator.filter(it -> free).ifPresent(used::add);
       fields.add("      " + field.path() + ": " + (free ? actuator.get().id() : "observed"));
     }
-    if (used.isEmpty()) {
+    if (used.size() == before) {
       lines.add("    " + UNUSED);
     } else {
       lines.add("    fields:");
       lines.addAll(fields);
     }
     return lines;
+  }
+
+  /** Returns the actuators that topics drive which are proposed already, or command a speed. */
+  private Set<Actuator> driven() {
+    signals.stream()
+        .filter(BenchProposal::commandsSpeed)
+        .findFirst()
+        .ifPresent(
+            signal -> {
+              driven.add(Actuator.SPEED);
+              if (signal.fields().stream().anyMatch(field -> twist(field).contains("yaw_rate"))) {
+                driven.add(Actuator.YAW_RATE);
+              }
+            });
+    return driven;
   }
 
   /** Returns whether the vehicle takes a speed from a signal. */

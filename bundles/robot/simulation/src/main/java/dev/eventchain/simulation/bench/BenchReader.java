@@ -52,6 +52,8 @@ public final class BenchReader {
   private final Map<String, Signal> inputs = new LinkedHashMap<>();
   private final Set<String> stated = new LinkedHashSet<>();
   private EgoVehicle vehicle = EgoVehicle.withSpeed(0);
+  private SourceLocation speedStep = SourceLocation.NONE;
+  private SourceLocation turning = SourceLocation.NONE;
 
   private BenchReader(DeclaredSignals declared, MessageCatalog catalog) {
     this.declared = declared;
@@ -176,6 +178,7 @@ public final class BenchReader {
                   yawRate.get().location())
               .withHint("Let a field drive `speed`, or drive `steering_angle` instead."));
     }
+    refuseWithoutEffect(speed, yawRate);
     List<String> missing =
         VehicleReader.FOLLOWING.stream().filter(it -> !stated.contains(it)).toList();
     if (speed.isPresent() && !missing.isEmpty()) {
@@ -191,6 +194,27 @@ public final class BenchReader {
     }
   }
 
+  /** Refuses what the bench says of a vehicle whose motion does not depend on it. */
+  private void refuseWithoutEffect(Optional<Bench.Effect> speed, Optional<Bench.Effect> yawRate) {
+    if (speed.isPresent() && vehicle.speedStep() > 0.0) {
+      problems.add(
+          Diagnostic.of(
+                  BenchRules.BENCH_ACTUATOR_CONFLICT,
+                  "The speed changes in steps here, but '%s' drives it, which it follows continuously."
+                      .formatted(speed.get().path()),
+                  speedStep)
+              .withHint("Leave `speed_step_s` out."));
+    }
+    if (yawRate.isEmpty() && vehicle.chassis().turnsOnTheSpot()) {
+      problems.add(
+          Diagnostic.of(
+                  BenchRules.BENCH_KEY_MISSING,
+                  "The vehicle turns on the spot, and no field drives its yaw_rate.",
+                  turning)
+              .withHint("Let a field drive `yaw_rate`, or leave `maximal_yaw_rate_radps` out."));
+    }
+  }
+
   private static Optional<Bench.Effect> effect(Map<String, Consumed> read, Actuator actuator) {
     return read.values().stream()
         .flatMap(topic -> topic.fields().stream())
@@ -201,6 +225,8 @@ public final class BenchReader {
   private void vehicle(ObjectReader section) {
     VehicleReader.FOLLOWING.stream().filter(section::has).forEach(stated::add);
     vehicle = VehicleReader.read(section, vehicle, 0, BenchRules.BENCH_VALUE_RANGE);
+    speedStep = section.at(VehicleReader.SPEED_STEP);
+    turning = section.at(VehicleReader.YAW_RATE);
     section.refuseOthers();
   }
 

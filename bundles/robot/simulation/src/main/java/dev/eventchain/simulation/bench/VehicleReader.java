@@ -14,7 +14,11 @@ import java.util.OptionalDouble;
 /** Reads the properties of the vehicle, of a bench or of a scenario. */
 public final class VehicleReader {
 
-  private static final String SPEED_STEP = "speed_step_s";
+  /** The key of how long a speed is constant that changes in steps. */
+  public static final String SPEED_STEP = "speed_step_s";
+
+  /** The key of how fast a vehicle turns that turns on the spot. */
+  static final String YAW_RATE = "maximal_yaw_rate_radps";
 
   private static final String COMMAND_TIMEOUT = "command_timeout_s";
 
@@ -78,12 +82,13 @@ public final class VehicleReader {
 
   private static Chassis chassis(ObjectReader section, Chassis usual) {
     return new Chassis(
-        number(section, "wheelbase_m", usual.wheelbase(), 1, 10),
+        number(section, "wheelbase_m", usual.wheelbase(), 0.1, 10),
         radians(section, "maximal_steering_angle_deg", usual.maximalSteeringAngle(), 1, 60),
         number(section, "hand_brake_deceleration_mps2", usual.handBrakeDeceleration(), 0, 10),
         number(section, "drag_per_m", usual.drag(), 0, 0.01),
         usual.offset(),
-        usual.heading());
+        usual.heading(),
+        number(section, YAW_RATE, usual.maximalYawRate(), 0, 10));
   }
 
   private static Shape shape(ObjectReader section, Shape usual) {

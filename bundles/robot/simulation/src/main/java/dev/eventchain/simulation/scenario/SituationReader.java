@@ -66,6 +66,7 @@ final class SituationReader {
     HumanDriver driver =
         part.map(it -> reader.driver(it, ego.speed(), offset))
             .orElse(Situation.straight(ego, List.of()).driver());
+    part.ifPresent(it -> refuseSteps(it, ego));
     part.ifPresent(ObjectReader::refuseOthers);
     Road road = section.object("road").map(SituationReader::road).orElse(Road.straight());
     List<Actor> actors = reader.read(section);
@@ -93,6 +94,7 @@ final class SituationReader {
                 part -> {
                   EgoVehicle own =
                       VehicleReader.read(part, usual, usual.speed(), ScenarioRules.VALUE_RANGE);
+                  refuseSteps(part, own);
                   part.refuseOthers();
                   return own;
                 })
@@ -108,6 +110,21 @@ final class SituationReader {
         situation.actors(),
         circumstances.read(section, "end_when").map(it -> it),
         situation.director());
+  }
+
+  /**
+   * Refuses steps of a speed that the software commands, which the vehicle follows continuously.
+   */
+  private void refuseSteps(ObjectReader part, EgoVehicle ego) {
+    if (part.has(VehicleReader.SPEED_STEP) && ego.speedStep() > 0.0 && bench.drivesSpeed()) {
+      part.find(
+          Diagnostic.of(
+                  ScenarioRules.VALUE_RANGE,
+                  "The software commands the speed, which the vehicle follows continuously and not in"
+                      + " steps.",
+                  part.at(VehicleReader.SPEED_STEP))
+              .withHint("Leave `speed_step_s` out."));
+    }
   }
 
   private void refuseOverlap(List<Actor> actors, EgoVehicle ego, Road road) {

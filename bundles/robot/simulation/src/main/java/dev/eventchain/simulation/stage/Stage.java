@@ -142,7 +142,8 @@ final class Stage {
             usual.chassis().handBrakeDeceleration(),
             usual.chassis().drag(),
             front.y(),
-            StrictMath.IEEEremainder(front.heading(), 2.0 * Math.PI));
+            StrictMath.IEEEremainder(front.heading(), 2.0 * Math.PI),
+            usual.chassis().maximalYawRate());
     return new EgoVehicle(
         Math.max(0.0, start.speed()),
         usual.brakeDelay(),

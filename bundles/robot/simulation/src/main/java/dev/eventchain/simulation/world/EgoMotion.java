@@ -12,7 +12,9 @@ import java.util.OptionalDouble;
  * whose curvature is the tangent of the steering angle divided by the wheelbase.
  *
  * <p>A vehicle that keeps a commanded speed by itself changes it by its maximal acceleration or
- * deceleration until it has it, and turns by the commanded rate, as tight as its wheels allow.
+ * deceleration until it has it, and turns by the commanded rate, as tight as its wheels allow. One
+ * that turns on the spot has the commanded rate whatever its speed, up to its maximum: its rear
+ * axle moves along the heading, without slip.
  *
  * <p>Instead, a vehicle may change its speed in steps, at the start of each: driver models that are
  * published with this step come to other results on a vehicle that changes it continuously.
@@ -28,12 +30,14 @@ public final class EgoMotion {
   private final Shape shape;
   private final double axleToBumper;
 
-  /** Position of the rear axle, offset so that it equals that of the front bumper at heading 0. */
-  private double along;
+  /** The rear axle, offset so that its place equals that of the front bumper at heading 0. */
+  private final Axle axle;
 
-  private double across;
-  private double heading;
   private double curvature;
+
+  /** Yaw rate of a vehicle that turns on the spot, in rad/s. */
+  private double spin;
+
   private int direction = 1;
   private VehicleCommand command = VehicleCommand.drive(0.0);
   private double speed;
@@ -64,9 +68,9 @@ public final class EgoMotion {
     this.chassis = vehicle.chassis();
     this.shape = vehicle.shape();
     this.axleToBumper = vehicle.axleToBumper();
-    this.heading = chassis.heading();
-    this.along = -ahead();
-    this.across = chassis.offset() - aside();
+    this.axle = new Axle(0.0, 0.0, chassis.heading());
+    axle.along = -ahead();
+    axle.across = chassis.offset() - aside();
   }
 
   private EgoMotion(EgoMotion other) {
@@ -78,10 +82,9 @@ public final class EgoMotion {
     this.chassis = other.chassis;
     this.shape = other.shape;
     this.axleToBumper = other.axleToBumper;
-    this.along = other.along;
-    this.across = other.across;
-    this.heading = other.heading;
+    this.axle = other.axle.copy();
     this.curvature = other.curvature;
+    this.spin = other.spin;
     this.direction = other.direction;
     this.speed = other.speed;
     this.deceleration = other.deceleration;
@@ -99,16 +102,16 @@ public final class EgoMotion {
 
   /** Returns the offset of the front bumper along the road due to the heading. */
   private double ahead() {
-    return axleToBumper * (StrictMath.cos(heading) - 1.0);
+    return axleToBumper * (StrictMath.cos(axle.heading) - 1.0);
   }
 
   private double aside() {
-    return axleToBumper * StrictMath.sin(heading);
+    return axleToBumper * StrictMath.sin(axle.heading);
   }
 
   /** Returns the position of the middle of the front bumper, and its heading. */
   public Road.Place front() {
-    return new Road.Place(along + ahead(), across + aside(), heading);
+    return new Road.Place(axle.along + ahead(), axle.across + aside(), axle.heading);
   }
 
   /** Returns the body. */
@@ -121,21 +124,37 @@ public final class EgoMotion {
     return shape;
   }
 
-  /** Returns an upper bound of the distance from the rear axle to any point of the body, in m. */
-  double farthest() {
+  /**
+   * Returns an upper bound of the speed of any point of the body in a time step, in m/s.
+   *
+   * @param change by which the speed grows at most
+   */
+  double fastest(double change) {
     double ends = Math.max(axleToBumper, shape.length() - axleToBumper);
-    return ends + shape.width() / 2;
+    double farthest = ends + shape.width() / 2;
+    return spins()
+        ? speed + change + chassis.maximalYawRate() * farthest
+        : (speed + change) * (1.0 + turning() * farthest);
   }
 
   /** Returns an upper bound of the curvature of its path in a time step, in 1/m. */
-  double turning() {
-    boolean turnsItself = motor.filter(it -> it.yawRate().isPresent()).isPresent();
-    return turnsItself && !steered ? chassis.tightest() : speed > 0.0 ? Math.abs(curvature) : 0.0;
+  private double turning() {
+    return turnsItself() ? chassis.tightest() : speed > 0.0 ? Math.abs(curvature) : 0.0;
+  }
+
+  /** Returns whether it keeps a yaw rate by itself. */
+  private boolean turnsItself() {
+    return !steered && motor.filter(it -> it.yawRate().isPresent()).isPresent();
+  }
+
+  /** Returns whether its yaw rate does not depend on its speed. */
+  private boolean spins() {
+    return chassis.turnsOnTheSpot() && turnsItself();
   }
 
   /** Returns the yaw rate in rad/s, positive to the left. */
   double yawRate() {
-    return velocity() * curvature;
+    return spins() ? spin : velocity() * curvature;
   }
 
   /** Returns the speed in m/s, never negative. */
@@ -308,16 +327,27 @@ public final class EgoMotion {
       deceleration = target == speed ? 0.0 : target > speed ? -most : most;
       double piece = target == speed ? left : Math.min(needed, left);
       double after = piece == needed ? target : speed - deceleration * piece;
-      double distance = (speed + after) / 2.0 * piece;
-      if (wanted.yawRate().isPresent() && !steered) {
-        turn(wanted.yawRate().getAsDouble() * piece, direction * distance);
-      }
-      move(distance);
+      keep(wanted.yawRate(), after, piece);
       speed = after;
       left -= piece;
     }
     if (speed == Math.max(0.0, direction * wanted.speed())) {
       deceleration = 0.0;
+    }
+  }
+
+  /** Moves by a piece of constant acceleration, at whose end it has another speed. */
+  private void keep(OptionalDouble yawRate, double after, double seconds) {
+    double distance = (speed + after) / 2.0 * seconds;
+    if (spins()) {
+      double most = chassis.maximalYawRate();
+      spin = Math.max(-most, Math.min(most, yawRate.getAsDouble()));
+      axle.swing(spin, direction * speed, direction * after, seconds);
+    } else {
+      if (turnsItself()) {
+        turn(yawRate.getAsDouble() * seconds, direction * distance);
+      }
+      move(distance);
     }
   }
 
@@ -340,16 +370,7 @@ public final class EgoMotion {
 
   /** Moves along the arc, by a distance in m that is not negative. */
   private void move(double distance) {
-    double way = direction * distance;
-    double before = heading;
-    heading += way * curvature;
-    if (curvature == 0.0) {
-      along += way * StrictMath.cos(heading);
-      across += way * StrictMath.sin(heading);
-    } else {
-      along += (StrictMath.sin(heading) - StrictMath.sin(before)) / curvature;
-      across += (StrictMath.cos(before) - StrictMath.cos(heading)) / curvature;
-    }
+    axle.move(direction * distance, curvature);
   }
 
   private double speedAfter(double seconds, double jerk) {

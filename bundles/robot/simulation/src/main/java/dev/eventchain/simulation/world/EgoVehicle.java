@@ -74,7 +74,8 @@ public record EgoVehicle(
             chassis.handBrakeDeceleration(),
             chassis.drag(),
             offset,
-            heading);
+            heading,
+            chassis.maximalYawRate());
     return new EgoVehicle(
         speed,
         brakeDelay,

@@ -33,7 +33,7 @@ final class Movement {
     this.until = until;
     this.road = road;
     this.travelled = travelled;
-    this.fastest = (before.speed() + CHANGE) * (1.0 + before.turning() * before.farthest());
+    this.fastest = before.fastest(CHANGE);
   }
 
   /** Returns the ego at a time of the step. */

@@ -140,7 +140,7 @@ public record VehicleCommand(
     }
     double speed = of(demands, Actuator.SPEED);
     double yawRate = of(demands, Actuator.YAW_RATE);
-    double most = Math.abs(speed) * vehicle.chassis().tightest() + ROUNDING;
+    double most = vehicle.chassis().maximalYawRate(speed) + ROUNDING;
     if (!Double.isFinite(speed) || !(Math.abs(yawRate) <= most)) {
       return "yaw_rate " + yawRate + " at speed " + speed;
     }

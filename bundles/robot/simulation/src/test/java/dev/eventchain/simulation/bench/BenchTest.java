@@ -25,6 +25,7 @@ import dev.eventchain.simulation.world.Actuator;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -154,6 +155,41 @@ class BenchTest {
         proposal.contains("classification: {value: class, classes: {car: 1, pedestrian: 2}}"),
         proposal);
     assertTrue(proposal.contains("label: class\n"), proposal);
+  }
+
+  /** A vehicle follows one of two that drive the same, and a commanded speed before pedals. */
+  @Test
+  void aProposalIsNoConflict() {
+    dev.eventchain.model.Signal twist =
+        signal(
+            "/cmd_vel",
+            "geometry_msgs/msg/Twist",
+            Direction.CONSUMED,
+            field("linear.x", "m/s"),
+            field("angular.z", "rad/s"));
+    List<dev.eventchain.model.Signal> pedals =
+        Stream.of("/front/brake", "/rear/brake", "/steering")
+            .map(it -> signal(it, "std_msgs/msg/Float32", Direction.CONSUMED, field("data", "1")))
+            .toList();
+    MessageCatalog messages = MessageCatalog.of(List.of());
+    String proposal = Bench.proposal(pedals, messages, Map.of());
+    assertTrue(
+        proposal.contains(
+            """
+              /front/brake:
+                fields:
+                  data: brake
+              /rear/brake:
+                observed: true
+              /steering:
+                fields:
+                  data: steering
+            """),
+        proposal);
+    Bench.parse(SourceText.of("bench.yaml", proposal), pedals, messages);
+    List<dev.eventchain.model.Signal> all = new ArrayList<>(pedals);
+    all.add(twist);
+    assertEquals(3, Bench.proposal(all, messages, Map.of()).split("observed: true", -1).length - 1);
   }
 
   /** {@code findings.txt} lists the findings of each file: id, line, column and text. */

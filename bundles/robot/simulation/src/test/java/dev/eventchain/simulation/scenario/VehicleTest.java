@@ -121,6 +121,23 @@ class VehicleTest {
     assertEquals(0, scenario(", speed_step_s: 0", 5, Bench.carla()).situation().ego().speedStep());
   }
 
+  /** A commanded speed is followed continuously, so that steps would have no effect. */
+  @Test
+  void aCommandedSpeedHasNoSteps() {
+    String robot =
+        """
+        vehicle: {maximal_acceleration_mps2: 0.5, maximal_deceleration_mps2: 1, command_timeout_s: 0}
+        consumes:
+          /cmd_vel: {type: geometry_msgs/msg/Twist, fields: {linear.x: {drives: speed, unit: m/s}}}
+        """;
+    Bench bench =
+        Bench.parse(SourceText.of("bench.yaml", robot), List.of(), MessageCatalog.of(List.of()));
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> scenario(", speed_step_s: 0.1", 5, bench));
+    assertTrue(refused.getMessage().contains("which the vehicle follows continuously"));
+    assertEquals(0, scenario(", speed_step_s: 0", 5, bench).situation().ego().speedStep());
+  }
+
   @Test
   void aVehicleIsLongerThanItsWheelbase() {
     DiagnosticException refused =

@@ -16,8 +16,16 @@ class SpeedCommandTest {
 
   /** 0.5 m/s2 up, 1 m/s2 down, commands in effect at once that hold for 0.5 s. */
   private static EgoVehicle robot(double speed, double timeout) {
-    EgoVehicle car =
-        new EgoVehicle(speed, 0.0, 0.3, 1.0, 0.5, 0.5, LidarSettings.USUAL, Chassis.USUAL);
+    return robot(speed, timeout, Chassis.USUAL);
+  }
+
+  /** A robot that turns on the spot by up to 1.5 rad/s. */
+  private static EgoVehicle turning(double speed, double timeout) {
+    return robot(speed, timeout, new Chassis(0.4, 0.6, 0.0, 0.0, 0.0, 0.0, 1.5));
+  }
+
+  private static EgoVehicle robot(double speed, double timeout, Chassis chassis) {
+    EgoVehicle car = new EgoVehicle(speed, 0.0, 0.3, 1.0, 0.5, 0.5, LidarSettings.USUAL, chassis);
     return new EgoVehicle(
         speed,
         0.0,
@@ -128,6 +136,81 @@ class SpeedCommandTest {
     world.advanceTo(World.nanoseconds(6.5));
     assertEquals(Math.PI / 4, world.ego().front().heading(), 1e-6);
     assertEquals(Math.PI / 10, world.trace().end().pose().yawRate(), 1e-9);
+  }
+
+  /** Its rear axle stays, and its front goes around that. */
+  @Test
+  void itTurnsOnTheSpot() {
+    EgoVehicle robot = turning(0.0, 0.0);
+    World world = world(robot);
+    command(world, robot, 0.0, Math.PI / 4);
+    world.advanceTo(World.nanoseconds(2));
+    assertFrom(world, robot, 0.0, 0.0, Math.PI / 2);
+    assertEquals(0.0, world.egoSpeed());
+    assertEquals(Math.PI / 4, world.trace().end().pose().yawRate(), 1e-12);
+  }
+
+  /** With a constant speed v, and a yaw rate w, its axle is on a circle of v / w. */
+  @ParameterizedTest
+  @CsvSource({"1, 0.5", "-1, 0.5", "1, -0.5", "1, 0.005", "1, 0.0101", "0.1, 1.5"})
+  void itDrivesACircle(double speed, double yawRate) {
+    EgoVehicle robot = turning(Math.max(0.0, speed), 0.0);
+    World world = world(robot);
+    double start = 0.0;
+    if (speed < 0.0) {
+      command(world, robot, speed, 0.0);
+      world.advanceTo(World.nanoseconds(2));
+      start = -1.0; // by 0.5 m/s2 to -1 m/s
+    }
+    command(world, robot, speed, yawRate);
+    double seconds = 3.0;
+    world.advanceTo(world.now() + World.nanoseconds(seconds));
+    double angle = yawRate * seconds;
+    double radius = speed / yawRate;
+    assertFrom(
+        world, robot, start + radius * Math.sin(angle), radius * (1 - Math.cos(angle)), angle);
+  }
+
+  /**
+   * From standstill, with an acceleration a and a yaw rate w, x is the integral of a t cos(w t),
+   * and y that of a t sin(w t).
+   */
+  @Test
+  void itSpeedsUpWhileItTurns() {
+    EgoVehicle robot = turning(0.0, 0.0);
+    World world = world(robot);
+    double rate = Math.PI / 4;
+    command(world, robot, 5.0, rate);
+    world.advanceTo(World.nanoseconds(2));
+    double x = 0.5 * (2 / rate - 1 / (rate * rate));
+    double y = 0.5 / (rate * rate);
+    assertFrom(world, robot, x, y, Math.PI / 2);
+    assertEquals(1.0, world.egoSpeed(), 1e-9);
+  }
+
+  /** It turns by its limit for 0.5 s, and by nothing after that. */
+  @Test
+  void itTurnsNoFasterAndNoLongerThanItMay() {
+    EgoVehicle robot = turning(0.0, 0.5);
+    World world = world(robot);
+    command(world, robot, 0.0, 3.0);
+    world.advanceTo(World.nanoseconds(2));
+    assertFrom(world, robot, 0.0, 0.0, 0.75);
+    assertEquals(0.0, world.trace().end().pose().yawRate());
+    Map<Actuator, Double> fast = Map.of(Actuator.SPEED, 0.0, Actuator.YAW_RATE, 3.0);
+    assertEquals("yaw_rate 3.0 at speed 0.0", VehicleCommand.of(fast, robot).ignored());
+    Map<Actuator, Double> slow = Map.of(Actuator.SPEED, 0.0, Actuator.YAW_RATE, -1.5);
+    assertEquals("", VehicleCommand.of(slow, robot).ignored());
+  }
+
+  /** Checks how far its rear axle is from where it was, and where its front is then. */
+  private static void assertFrom(
+      World world, EgoVehicle robot, double along, double across, double heading) {
+    Road.Place front = world.ego().front();
+    double length = robot.axleToBumper();
+    assertEquals(heading, front.heading(), 1e-9);
+    assertEquals(along, front.x() + length - length * Math.cos(heading), 1e-8);
+    assertEquals(across, front.y() - length * Math.sin(heading), 1e-8);
   }
 
   /** A driver who is said to steer has the wheel until the software first turns the vehicle. */
