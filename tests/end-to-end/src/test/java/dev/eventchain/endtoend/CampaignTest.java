@@ -224,7 +224,7 @@ class CampaignTest {
     campaign().expect(2).says("With speed = 500: 'speed_kmh' must be");
     copy.replace("approach.yaml", "values: [40, 500]", "values: [40]");
     copy.replace("approach.yaml", "actors[0].gap_m", "actors[3].gap_m");
-    campaign().expect(2).says("There is no [3] for the path 'actors[3].gap_m'.");
+    campaign().expect(2).says("There is no [3] for the path 'actors[3].gap_m', but [0].");
     copy.replace("approach.yaml", "actors[3].gap_m", "ego.speed_kmh");
     campaign().expect(2).says("Two factors have 'ego.speed_kmh'.");
     copy.replace("approach.yaml", "stopped-vehicle-50", "stoped-vehicle-50");

@@ -130,7 +130,7 @@ final class CriteriaOfPoints {
       limits.keySet().removeIf(path -> !CriteriaOfCases.isPath(path));
       different.putIfAbsent(limits, each);
     }
-    return ScenarioTemplate.some(List.copyOf(different.values())).stream()
+    return RefusedValues.some(List.copyOf(different.values())).stream()
         .map(texts)
         .filter(read -> !read.isEmpty())
         .toList();

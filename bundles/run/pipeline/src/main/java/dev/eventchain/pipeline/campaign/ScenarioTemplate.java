@@ -18,7 +18,6 @@ import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.pipeline.campaign.plan.Factor;
 import dev.eventchain.pipeline.campaign.plan.NumberPath;
 import dev.eventchain.pipeline.campaign.plan.Purpose;
-import dev.eventchain.pipeline.campaign.plan.Sampling;
 import dev.eventchain.pipeline.campaign.result.CampaignRow;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
@@ -35,7 +34,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.stream.IntStream;
 
 /**
  * A scenario file, and the project's {@code bench.yaml}, with the values of factors in place of
@@ -47,7 +45,6 @@ final class ScenarioTemplate {
   private static final String PHASE = "phases_ms.";
   private static final String PLAYED = "openscenario";
   private static final String PLAYED_FILE = "file";
-  private static final int MOST_TRIED = 200;
 
   /** Larger than any number of a scenario or a bench. */
   private static final long FIRST_MARK = 1L << 60;
@@ -148,7 +145,7 @@ final class ScenarioTemplate {
     if (!found.isEmpty()) {
       return found;
     }
-    return plan.sampling().kind() == Sampling.Kind.ROWS ? rows() : values();
+    return new RefusedValues(plan, this::of, this::pointer).findings();
   }
 
   /** Returns what is wrong with the criteria of cases, and with those on which points depend. */
@@ -212,63 +209,10 @@ final class ScenarioTemplate {
     return new NumberPath(path.startsWith(BENCH) ? path.substring(BENCH.length()) : path);
   }
 
-  /**
-   * Returns a finding for each factor with a value that no scenario takes, with the others as they
-   * are first. Of very many values, some are tried, the first and the last among them.
-   */
-  private List<Diagnostic> values() {
-    List<Diagnostic> found = new ArrayList<>();
-    List<BigDecimal> first =
-        plan.factors().stream().map(factor -> factor.levels().checked().get(0)).toList();
-    CampaignCase usual = new CampaignCase(first, 1);
-    for (int i = 0; i < plan.factors().size(); i++) {
-      Factor factor = plan.factors().get(i);
-      for (BigDecimal value : some(factor.levels().checked())) {
-        Optional<String> problem = refusal(usual.with(i, value));
-        if (problem.isPresent()) {
-          String words = factor.name() + " = " + value.toPlainString();
-          found.add(
-              Diagnostic.of(
-                  CampaignRules.FACTOR, "With " + words + ": " + problem.get(), factor.place()));
-          break;
-        }
-      }
-    }
-    return found;
-  }
-
-  /** Returns a finding for the first row that no scenario takes. */
-  private List<Diagnostic> rows() {
-    for (CampaignCase row : some(new CaseList(plan).cases())) {
-      Optional<String> problem = refusal(row);
-      if (problem.isPresent()) {
-        return List.of(
-            Diagnostic.of(
-                CampaignRules.FACTOR,
-                "With " + row.words(plan) + ": " + problem.get(),
-                SourceLocation.of(plan.file())));
-      }
-    }
-    return List.of();
-  }
-
-  /** Returns some of very many values, the first and the last among them. */
-  static <T> List<T> some(List<T> values) {
-    int last = values.size() - 1;
-    int most = Math.min(last, MOST_TRIED);
-    return IntStream.rangeClosed(0, most)
-        .mapToObj(i -> values.get(most == 0 ? 0 : (int) ((long) i * last / most)))
-        .toList();
-  }
-
-  private Optional<String> refusal(CampaignCase each) {
-    try {
-      of(each);
-      return Optional.empty();
-    } catch (DiagnosticException e) {
-      Diagnostic first = e.diagnostics().get(0);
-      return Optional.of(first.message() + " " + first.location().element());
-    }
+  /** Returns the place of a path in its file, as a finding about it has it. */
+  private Optional<String> pointer(String path) {
+    return (path.startsWith(BENCH) ? bench : Optional.of(scenario))
+        .flatMap(root -> numberPath(path).pointer(root));
   }
 
   /**

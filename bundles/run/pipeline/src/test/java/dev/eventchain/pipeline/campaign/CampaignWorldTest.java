@@ -67,6 +67,33 @@ class CampaignWorldTest {
     return found.stream().map(each -> each.id() + " " + each.message()).toList();
   }
 
+  /** Every case has the problem, and only one factor is to blame. */
+  @Test
+  void aWrongKeyIsSaidOfTheFactorThatHasIt() throws IOException {
+    assertEquals(
+        List.of("campaign.factor With speed = 30: There is no key 'sped_kmh' here. /ego/sped_kmh"),
+        found(
+            """
+            scenario: ahead
+            factors:
+              gap: {path: "actors[car].gap_m", values: [40, 50]}
+              speed: {path: ego.sped_kmh, values: [30, 60]}
+            """));
+    assertEquals(
+        List.of(
+            "campaign.factor With gap = 40: There is no key 'gap_km' here. /actors/0/gap_km",
+            "campaign.factor With gap = 40, speed = 30: There is no key 'ofset' here. /ego/ofset"),
+        found(
+            """
+            scenario: ahead
+            factors:
+              gap: {path: "actors[car].gap_km", values: [40, 50]}
+              speed: {path: ego.speed_kmh, values: [30, 60]}
+            computed:
+              aside: {path: ego.ofset, formula: speed / 100}
+            """));
+  }
+
   /** A text with a number matches some cases, or none, where a factor is the number. */
   @ParameterizedTest
   @CsvSource(

@@ -6,7 +6,9 @@ import com.fasterxml.jackson.databind.node.DecimalNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.regex.Matcher;
@@ -102,7 +104,7 @@ public final class NumberPath {
     while (at < steps.size()) {
       String step = steps.get(at);
       if (isElement(step)) {
-        node = element(node, step, named);
+        node = require(node, element(node, step, named), step);
         at++;
       } else if (node instanceof ObjectNode owner) {
         int next = endOfKey(owner, at);
@@ -120,6 +122,49 @@ public final class NumberPath {
       }
     }
     throw new WrongPathException("'" + path + "' is not the path of a number.");
+  }
+
+  /** Returns an element of a list; if it is none, what is there is said. */
+  private JsonNode require(JsonNode list, JsonNode element, String step) throws WrongPathException {
+    if (element != null || !(list instanceof ArrayNode)) {
+      return element;
+    }
+    List<String> known = new ArrayList<>();
+    for (JsonNode each : list) {
+      known.add("[" + each.path("name").asText(String.valueOf(known.size())) + "]");
+    }
+    throw new WrongPathException(
+        "There is no %s for the path '%s', %s."
+            .formatted(
+                step,
+                path,
+                known.isEmpty() ? "the list is empty" : "but " + String.join(", ", known)));
+  }
+
+  /** Returns where it leads, as a JSON pointer; empty if it leads to no number. */
+  public Optional<String> pointer(ObjectNode root) {
+    ObjectNode copy = root.deepCopy();
+    try {
+      Place place = in(copy);
+      return pointer(copy, place.owner()).map(it -> it + "/" + place.key());
+    } catch (WrongPathException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Returns the way from a node to one in it. */
+  private static Optional<String> pointer(JsonNode from, JsonNode to) {
+    if (from == to) {
+      return Optional.of("");
+    }
+    Map<String, JsonNode> children = new LinkedHashMap<>();
+    from.properties().forEach(each -> children.put(each.getKey(), each.getValue()));
+    for (JsonNode each : from instanceof ArrayNode list ? list : List.<JsonNode>of()) {
+      children.put(String.valueOf(children.size()), each);
+    }
+    return children.entrySet().stream()
+        .flatMap(each -> pointer(each.getValue(), to).map(it -> "/" + each.getKey() + it).stream())
+        .findFirst();
   }
 
   private Place place(ObjectNode owner, String key) throws WrongPathException {

@@ -54,8 +54,8 @@ class NumberPathTest {
         "ego.v.x; There is no x for the path 'ego.v.x'.",
         "actors; 'actors' is not the path of a number.",
         "actors[0]; 'actors[0]' is not the path of a number.",
-        "actors[2].gap; There is no [2] for the path 'actors[2].gap'.",
-        "actors[bus].gap; There is no [bus] for the path 'actors[bus].gap'.",
+        "actors[2].gap; There is no [2] for the path 'actors[2].gap', but [car], [a walker].",
+        "actors[bus].gap; There is no [bus] for the path 'actors[bus].gap', but [car], [a walker].",
         "actors.gap; There is no gap for the path 'actors.gap'.",
         "furniture[0].gap; There is no furniture for the path 'furniture[0].gap'.",
       })
