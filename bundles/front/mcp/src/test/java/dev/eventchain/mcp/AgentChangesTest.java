@@ -103,7 +103,8 @@ class AgentChangesTest extends AgentSession {
   void measuredTimesAreAProposal() throws Exception {
     Files.writeString(folder.resolve("drive.txt"), "trace");
     Files.writeString(folder.resolve("other.txt"), "trace");
-    JsonNode measured = client.begun().call("measure", trace("drive.txt")).path("structuredContent");
+    JsonNode measured =
+        client.begun().call("measure", trace("drive.txt")).path("structuredContent");
     assertEquals(0, measured.path("exitCode").asInt(-1));
     assertEquals(0, measured.at("/check/exitCode").asInt(-1));
     assertTrue(measured.path("checked").asBoolean());

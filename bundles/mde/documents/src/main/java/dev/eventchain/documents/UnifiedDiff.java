@@ -46,8 +46,7 @@ public final class UnifiedDiff {
    */
   public static Optional<String> apply(String diff, String before) {
     try {
-      List<String> after =
-          UnifiedDiffUtils.parseUnifiedDiff(marked(diff)).applyTo(lines(before));
+      List<String> after = UnifiedDiffUtils.parseUnifiedDiff(marked(diff)).applyTo(lines(before));
       return Optional.of(text(after));
     } catch (PatchFailedException | IndexOutOfBoundsException e) {
       return Optional.empty();
@@ -66,7 +65,7 @@ public final class UnifiedDiff {
   /** Returns the lines of a change, each with the mark below it. */
   private static List<String> marked(String diff) {
     List<String> lines = new ArrayList<>();
-    for (String line : diff.split("\n")) {
+    for (String line : diff.split("\n", 0)) {
       if (MARK.equals("\n" + line) && !lines.isEmpty()) {
         lines.add(lines.remove(lines.size() - 1) + MARK);
       } else {

@@ -35,9 +35,7 @@ public final class FieldConstants {
         message.constants().stream().filter(it -> it.type().kind() == type.get().kind()).toList();
     List<Constant> own =
         alike.stream().filter(it -> owner(message, it).equals(Optional.of(field))).toList();
-    return own.isEmpty()
-        ? alike.stream().filter(it -> owner(message, it).isEmpty()).toList()
-        : own;
+    return own.isEmpty() ? alike.stream().filter(it -> owner(message, it).isEmpty()).toList() : own;
   }
 
   /** Returns the field with the longest name that a constant begins with. */

@@ -97,8 +97,7 @@ final class ChangeTools {
     Result checked = checked(proposal, arguments.text("check", "validate"), call);
     Map<String, Object> structured = new LinkedHashMap<>(checked.structured());
     structured.putAll(described(proposal, checked));
-    return new Result(
-        textOf(proposal, checked) + checked.text(), structured, checked.failed());
+    return new Result(textOf(proposal, checked) + checked.text(), structured, checked.failed());
   }
 
   /** Checks a proposal on a copy, and keeps it. */
@@ -152,8 +151,7 @@ final class ChangeTools {
     boundary.requireClosed(project);
     String trace = boundary.closed(arguments.text("trace", ""));
     MeasuredChange change = MeasuredChange.before(project);
-    Result measured =
-        commands.report(List.of("measure", boundary.argument(project), trace), call);
+    Result measured = commands.report(List.of("measure", boundary.argument(project), trace), call);
     if (measured.failed()) {
       return measured;
     }

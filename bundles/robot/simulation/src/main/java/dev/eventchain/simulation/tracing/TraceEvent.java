@@ -22,7 +22,6 @@ record TraceEvent(
    */
   record ProcessId(String host, String namespace, long id) {}
 
-
   /** An object of a process by its address, which another one may have later. */
   record Handle(ProcessId process, String address) {}
 

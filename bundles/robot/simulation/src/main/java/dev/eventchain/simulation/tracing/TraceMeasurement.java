@@ -267,10 +267,7 @@ public record TraceMeasurement(
       }
       ChainLatency.Unanswered found =
           ChainLatency.unanswered(
-              log,
-              constraint.getFirst().getName(),
-              constraint.getLast().getName(),
-              activity.end);
+              log, constraint.getFirst().getName(), constraint.getLast().getName(), activity.end);
       return new Unanswered(
           found.count(), found.untilLater() / MILLISECOND, found.untilEnd() / MILLISECOND);
     }

@@ -59,9 +59,7 @@ record TraceJson(
     }
 
     private static OptionalDouble time(double milliseconds) {
-      return milliseconds > 0
-          ? OptionalDouble.of(rounded(milliseconds))
-          : OptionalDouble.empty();
+      return milliseconds > 0 ? OptionalDouble.of(rounded(milliseconds)) : OptionalDouble.empty();
     }
   }
 
