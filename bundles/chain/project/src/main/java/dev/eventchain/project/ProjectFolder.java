@@ -20,7 +20,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** A user's project folder: paths of its files, and of those results that others read. */
+/** A user's project folder: paths of its files, and of those results that are checked. */
 public class ProjectFolder {
 
   /** Name of the chain description among the results of a run. */
@@ -31,12 +31,6 @@ public class ProjectFolder {
 
   /** Name of the constraints for the design rules among the results of a run. */
   public static final String GENERATED = "generated.ocl";
-
-  /** Name of the verdict among the results of a run. */
-  public static final String VERDICT = "verdict.json";
-
-  /** Name of the results of mutants among the results. */
-  public static final String MUTANT_RESULTS = "mutants.json";
 
   private final Path folder;
 
@@ -331,8 +325,8 @@ public class ProjectFolder {
   }
 
   /**
-   * Returns the finding that there are no written requirements although something names one: it
-   * would be proved by nothing that people can read.
+   * Returns a finding if there are no written requirements although something names one: people
+   * could read nowhere what is proved.
    *
    * @param named the ids of requirements that the chain or the scenarios name, in order
    */

@@ -3,8 +3,8 @@ package dev.eventchain.project;
 import dev.eventchain.description.SoftwareBaseNames;
 
 /**
- * Names of the files and folders in a user's project, relative to its folder. Names of results are
- * those of the stages that write them.
+ * Names of the files and folders in a user's project, relative to its folder, and of those results
+ * that editors and agents read. Names of other results are those of the stages that write them.
  */
 public final class ProjectLayout {
 
@@ -64,6 +64,12 @@ public final class ProjectLayout {
 
   /** The results, unless another folder is named. */
   public static final String OUTPUT = "out";
+
+  /** The verdict, among the results of a run. */
+  public static final String VERDICT = "verdict.json";
+
+  /** The outcomes of mutants, among the results. */
+  public static final String MUTANT_RESULTS = "mutants.json";
 
   private ProjectLayout() {}
 }

@@ -6,6 +6,7 @@ import dev.eventchain.lsp.text.OpenText;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.ProtocolJson;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.math.BigDecimal;
@@ -37,7 +38,7 @@ final class LastVerdict {
 
   /** Reads the verdict; empty if there is none, or no run has got as far. */
   static Optional<LastVerdict> of(ProjectFolder project, OpenTexts texts) {
-    Path file = project.defaultOutput().resolve(ProjectFolder.VERDICT);
+    Path file = project.defaultOutput().resolve(ProjectLayout.VERDICT);
     try {
       JsonNode verdict = ProtocolJson.read(Files.readString(file));
       return verdict.isObject() && !verdict.has("stoppedIn")

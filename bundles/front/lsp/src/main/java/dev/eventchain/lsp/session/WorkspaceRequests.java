@@ -11,7 +11,7 @@ import dev.eventchain.lsp.text.Edits;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.lsp.text.Positions;
 import dev.eventchain.lsp.text.ProtocolJson;
-import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -114,7 +114,7 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
           .ifPresent((stays ? changed : others)::add);
     }
     if (Stream.concat(changed.stream(), others.stream())
-        .anyMatch(file -> file.endsWith(ProjectFolder.VERDICT))) {
+        .anyMatch(file -> file.endsWith(ProjectLayout.VERDICT))) {
       verdicts.run();
     }
     if (!changed.isEmpty()) {

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileVisitResult;
@@ -48,10 +49,10 @@ public final class ResultTables {
   public ResultTables(Path project) {
     this.project = project;
     this.output = new ProjectFolder(project).defaultOutput();
-    find("requirements", ProjectFolder.VERDICT, verdict -> list(verdict.path("requirements")));
-    find("scenarios", ProjectFolder.VERDICT, verdict -> list(verdict.path("scenarios")));
-    find("criteria", ProjectFolder.VERDICT, ResultTables::criteria);
-    find("mutants", ProjectFolder.MUTANT_RESULTS, mutants -> list(mutants.path("mutants")));
+    find("requirements", ProjectLayout.VERDICT, verdict -> list(verdict.path("requirements")));
+    find("scenarios", ProjectLayout.VERDICT, verdict -> list(verdict.path("scenarios")));
+    find("criteria", ProjectLayout.VERDICT, ResultTables::criteria);
+    find("mutants", ProjectLayout.MUTANT_RESULTS, mutants -> list(mutants.path("mutants")));
     findCsv();
     if (tables.isEmpty()) {
       throw McpRules.refusal(

@@ -6,7 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.VerdictFile;
 import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -21,7 +21,7 @@ final class LastVerdict {
    * if it passed, or there was none.
    */
   static Optional<Diagnostic> notPassed(RunContext run) {
-    return run.output().read(ProjectFolder.VERDICT).flatMap(bytes -> notPassed(run, bytes));
+    return run.output().read(ProjectLayout.VERDICT).flatMap(bytes -> notPassed(run, bytes));
   }
 
   private static Optional<Diagnostic> notPassed(RunContext run, byte[] bytes) {
@@ -41,7 +41,7 @@ final class LastVerdict {
         Diagnostic.of(
                 EngineRules.VERDICT_FAILED,
                 "The last simulation did not pass (" + counted + " passed). Its report stays.",
-                SourceLocation.of(run.file(ProjectFolder.VERDICT)))
+                SourceLocation.of(run.file(ProjectLayout.VERDICT)))
             .withHint("Run '" + run.command("") + "' for a verdict about the current files."));
   }
 
@@ -50,7 +50,7 @@ final class LastVerdict {
     return Diagnostic.of(
             EngineRules.STAGE_OUTDATED,
             "There is no verdict about the current files that a report could show.",
-            SourceLocation.of(run.file(ProjectFolder.VERDICT)))
+            SourceLocation.of(run.file(ProjectLayout.VERDICT)))
         .withHint("Run '" + run.command("--from simulate") + "'.");
   }
 }

@@ -10,7 +10,7 @@ import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageMemory;
 import dev.eventchain.pipeline.stage.StageRecord;
-import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -52,7 +52,7 @@ public final class StandingResults {
    */
   void withdraw(Stage stage) {
     boolean reachesVerdict = run.options().runs(Stage.SIMULATE) && !run.options().isPartial();
-    boolean nothingStands = run.output().read(ProjectFolder.VERDICT).isEmpty();
+    boolean nothingStands = run.output().read(ProjectLayout.VERDICT).isEmpty();
     if (run.options().readsOnly() || (nothingStands && !reachesVerdict)) {
       return;
     }
@@ -63,7 +63,7 @@ public final class StandingResults {
       withdrawn = true;
     }
     String chain = run.project().configuration().name();
-    run.writeResult(ProjectFolder.VERDICT, VerdictJson.without(chain, Optional.of(stage)));
+    run.writeResult(ProjectLayout.VERDICT, VerdictJson.without(chain, Optional.of(stage)));
     OTHERS.forEach(run::remove);
   }
 
@@ -72,7 +72,7 @@ public final class StandingResults {
    * there is no verdict or another run is in progress.
    */
   public static void withdrawVerdict(Path output) {
-    if (!Files.isRegularFile(output.resolve(ProjectFolder.VERDICT))) {
+    if (!Files.isRegularFile(output.resolve(ProjectLayout.VERDICT))) {
       return;
     }
     try (OutputFolder folder = OutputFolder.open(output)) {
@@ -85,9 +85,9 @@ public final class StandingResults {
 
   /** Withdraws the verdict of a project that cannot be opened. */
   private static void withdraw(OutputFolder output) {
-    byte[] standing = output.read(ProjectFolder.VERDICT).orElseThrow();
+    byte[] standing = output.read(ProjectLayout.VERDICT).orElseThrow();
     output.write(
-        ProjectFolder.VERDICT,
+        ProjectLayout.VERDICT,
         VerdictJson.without(VerdictJson.chainOf(standing), Optional.empty()),
         OutputFolder.OnEdit.OVERWRITE);
     OTHERS.forEach(output::remove);
@@ -134,8 +134,8 @@ public final class StandingResults {
                 .filter(found -> found.key().equals(record.get().key()))
                 .isPresent()
             && run.output()
-                .read(ProjectFolder.VERDICT)
-                .filter(verdict -> Arrays.equals(verdict, contents.get(ProjectFolder.VERDICT)))
+                .read(ProjectLayout.VERDICT)
+                .filter(verdict -> Arrays.equals(verdict, contents.get(ProjectLayout.VERDICT)))
                 .isPresent();
     if (same && withdrawn) {
       putBack(ReportPage.FILE);

@@ -11,7 +11,7 @@ import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.SourceName;
 import dev.eventchain.pipeline.stage.StageMemory;
 import dev.eventchain.pipeline.stage.StageRecord;
-import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -39,7 +39,7 @@ public record StandingVerdict(List<RequirementOutcome> outcomes, Optional<String
    * @param run a run of this project that does nothing
    */
   public static StandingVerdict of(RunContext run) {
-    Path file = run.file(ProjectFolder.VERDICT);
+    Path file = run.file(ProjectLayout.VERDICT);
     if (!Files.isRegularFile(file)) {
       return without("nothing was run");
     }
@@ -57,7 +57,7 @@ public record StandingVerdict(List<RequirementOutcome> outcomes, Optional<String
                           .map(stage -> "the last run was stopped in '" + stage + "'")
                           .orElse("the last run reached no verdict")));
     } catch (IOException e) {
-      return without(ProjectFolder.VERDICT + " cannot be read");
+      return without(ProjectLayout.VERDICT + " cannot be read");
     }
   }
 
@@ -69,11 +69,11 @@ public record StandingVerdict(List<RequirementOutcome> outcomes, Optional<String
     StageMemory memory = new StageMemory(run.output(), run.options().output());
     Optional<StageRecord> record = memory.recall(Stage.SIMULATE);
     if (record.isEmpty()) {
-      return Optional.of("there is no record of what " + ProjectFolder.VERDICT + " is about");
+      return Optional.of("there is no record of what " + ProjectLayout.VERDICT + " is about");
     }
-    String written = record.get().outputs().get(ProjectFolder.VERDICT);
+    String written = record.get().outputs().get(ProjectLayout.VERDICT);
     if (!ContentHash.hex(verdict).equals(written)) {
-      return Optional.of(ProjectFolder.VERDICT + " was edited");
+      return Optional.of(ProjectLayout.VERDICT + " was edited");
     }
     try {
       new EarlierStages(run, memory, PipelineRun.WORK).require(Stage.SIMULATE);

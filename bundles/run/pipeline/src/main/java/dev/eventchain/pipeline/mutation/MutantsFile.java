@@ -3,7 +3,7 @@ package dev.eventchain.pipeline.mutation;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
@@ -28,9 +28,9 @@ record MutantsFile(String chain, String inputs, List<MutantResult> mutants) {
    */
   static List<MutantResult> recall(RunContext run, String inputs) {
     Optional<byte[]> bytes =
-        run.output().isEdited(ProjectFolder.MUTANT_RESULTS)
+        run.output().isEdited(ProjectLayout.MUTANT_RESULTS)
             ? Optional.empty()
-            : run.output().read(ProjectFolder.MUTANT_RESULTS);
+            : run.output().read(ProjectLayout.MUTANT_RESULTS);
     return bytes
         .flatMap(it -> ResultJson.ifValid(it, MutantsFile.class))
         .filter(file -> file.inputs().equals(inputs))
@@ -47,6 +47,6 @@ record MutantsFile(String chain, String inputs, List<MutantResult> mutants) {
 
   void write(RunContext run) {
     String json = JsonLayout.of(ResultJson.tree(this)) + "\n";
-    run.writeResult(ProjectFolder.MUTANT_RESULTS, json.getBytes(StandardCharsets.UTF_8));
+    run.writeResult(ProjectLayout.MUTANT_RESULTS, json.getBytes(StandardCharsets.UTF_8));
   }
 }

@@ -23,7 +23,7 @@ import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.ComponentFiles;
 import dev.eventchain.pipeline.stage.Fingerprint;
 import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.sandbox.ComponentMutator;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -109,7 +109,7 @@ public final class MutationTesting {
             duration,
             Coverage.counted(chosen.size(), "mutant")
                 + " in "
-                + run.file(ProjectFolder.MUTANT_RESULTS));
+                + run.file(ProjectLayout.MUTANT_RESULTS));
     return outcome;
   }
 

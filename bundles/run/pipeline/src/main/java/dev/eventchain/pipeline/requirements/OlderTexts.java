@@ -41,12 +41,12 @@ final class OlderTexts {
    */
   static OlderTexts of(Project project, Path old) {
     OlderTexts older = new OlderTexts();
-    Path inside = old.resolve(ProjectFolder.VERDICT);
+    Path inside = old.resolve(ProjectLayout.VERDICT);
     if (Files.isRegularFile(old.resolve(ProjectLayout.CONFIGURATION))) {
       older.add(new ProjectFolder(old).readRequirements().items());
     } else if (Files.isRegularFile(inside)) {
       older.addResults(inside);
-    } else if (old.endsWith(ProjectFolder.VERDICT)) {
+    } else if (old.endsWith(ProjectLayout.VERDICT)) {
       older.addResults(old);
     } else if (!Files.exists(old)) {
       throw unreadable(FileRules.MISSING, "There is no such file or folder.", old);

@@ -12,7 +12,7 @@ import dev.eventchain.pipeline.results.ResultJson;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.stage.ProjectChecks;
 import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
@@ -36,7 +36,7 @@ final class FinishedSimulation {
           SimulateStage.MEASUREMENTS,
           SimulateStage.MEASUREMENTS_TABLE,
           SimulateStage.LATENCY_BOUNDS,
-          ProjectFolder.VERDICT,
+          ProjectLayout.VERDICT,
           SimulateStage.MEASURED_MODEL);
 
   private final RunContext run;

@@ -24,6 +24,7 @@ import dev.eventchain.pipeline.stage.StageResult;
 import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.AcceptedTexts;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationDriver;
@@ -108,7 +109,7 @@ public final class SimulateStage implements StageWork {
     if (!run.options().isPartial()) {
       finished.addUntested(outcomes, found);
       // Last, so that it never exists without the results it refers to.
-      run.writeResult(ProjectFolder.VERDICT, finished.verdict(outcomes, found));
+      run.writeResult(ProjectLayout.VERDICT, finished.verdict(outcomes, found));
     }
     Simulated report = finished.report(latencies, validation, outcomes, evidence);
     Coverage rules = Constraints.coverage(List.of(finished.measuredFile()), validation);
