@@ -14,10 +14,10 @@ import java.util.Set;
 import java.util.function.Predicate;
 
 /**
- * Finds components that never execute. One executes for the first time when a message of each topic
- * that it reads has come, and writes nothing before, so components in a loop wait for each other
- * unless a message comes from elsewhere. A node as it is executes when it likes. Takes time linear
- * in the chain.
+ * Finds components that never execute. A component first executes when a message of each topic that
+ * it reads has come, and writes nothing before. So components in a loop wait for each other unless
+ * a message comes from elsewhere. A node that is hosted as it is executes when it likes. Takes time
+ * linear in the chain.
  */
 final class Waiting {
 

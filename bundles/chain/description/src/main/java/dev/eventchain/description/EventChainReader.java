@@ -47,14 +47,19 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * Reader that converts an event-chain description directly into a model. The description is the
- * JSON array of the paper's Appendix A, or the object around it of {@link EventChainSchema}; we add
- * {@code frequency} (Hz), {@code requirements} (ids), {@code type}, {@code unit}, {@code
- * component_unit}, {@code maximum_age} (ms) and {@code safe_value} of values, {@code consumer}
- * ("external") and {@code requirements} of outputs that leave the chain, and {@code
- * worst_case_execution_time}, {@code best_case_execution_time} (ms) and {@code memory} (MiB) of
- * components, and {@code synchronized} topics of their inputs with a {@code tolerance} (ms), and
- * the {@code processor} that executes them with their {@code priority} on it, and the {@code
- * worst_case_transport_time} (ms) of ports, all optional.
+ * JSON array of the paper's Appendix A, or the object around it of {@link EventChainSchema}.
+ * Optional additions are:
+ *
+ * <ul>
+ *   <li>of components {@code frequency} (Hz), {@code requirements} (ids), {@code
+ *       worst_case_execution_time} and {@code best_case_execution_time} (ms), {@code memory} (MiB),
+ *       {@code synchronized} topics with a {@code tolerance} (ms), and a {@code processor} with a
+ *       {@code priority};
+ *   <li>of ports {@code worst_case_transport_time} (ms), and of outputs that leave the chain {@code
+ *       consumer} ("external") and {@code requirements};
+ *   <li>of values {@code type}, {@code unit}, {@code component_unit}, {@code maximum_age} (ms) and
+ *       {@code safe_value}.
+ * </ul>
  *
  * <p>Each element's origin is its JSON pointer in the description, so that later findings in the
  * model point back to it.

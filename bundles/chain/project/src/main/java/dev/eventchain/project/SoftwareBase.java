@@ -284,9 +284,9 @@ public final class SoftwareBase {
   }
 
   /**
-   * Checks that a chain uses the existing components as described: the same values of the same
-   * fields of the same topics, the same conversions of units, and stated units, quality of service,
-   * ages, safe values, frequency, execution times, memory and synchronized inputs. An omitted
+   * Checks that a chain uses the existing components as described. Topics, fields, values and
+   * conversions of units must be the same. So must units, quality of service, ages, safe values,
+   * frequency, execution times, memory and synchronized inputs, where they are stated. An omitted
    * output is a warning, any other deviation an error.
    *
    * @param locator returns the locations of the features of the chain's elements

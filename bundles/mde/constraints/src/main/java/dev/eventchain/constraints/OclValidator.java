@@ -17,10 +17,10 @@ import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * Evaluates rules on models. The findings are: {@code ocl.violated} for an element for which an
- * invariant is false, {@code ocl.undefined} where it is neither true nor false, {@code ocl.limit}
- * for an invariant that recurses endlessly or takes too long, and {@code ocl.nothing-evaluated} if
- * there was nothing to evaluate, which is not a pass.
+ * Evaluates rules on models. {@code ocl.violated} reports an element for which an invariant is
+ * false, and {@code ocl.undefined} one for which it is neither true nor false. {@code ocl.limit}
+ * reports an invariant that recurses endlessly or takes too long. {@code ocl.nothing-evaluated}
+ * says that there was nothing to evaluate, which is not a pass.
  *
  * <p>A large model is evaluated by several threads; the findings are those of one. The references
  * of such a model must be resolved already: its files are not loaded while it is evaluated.

@@ -124,9 +124,9 @@ public final class Expression {
   }
 
   /**
-   * Returns whether a part of it may not matter, depending on other parts or on what a collection
-   * holds: whether it, or a definition that it uses, has a connective of Booleans, an {@code if} or
-   * a loop.
+   * Returns whether the effect of a part may depend on other parts or on the content of a
+   * collection. So it is if the expression, or a definition that it uses, has a connective of
+   * Booleans, an {@code if} or a loop.
    */
   public boolean isConditional() {
     return Navigations.isConditional(ast, language.environment());

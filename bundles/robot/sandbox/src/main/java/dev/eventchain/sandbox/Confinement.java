@@ -11,11 +11,11 @@ import java.util.concurrent.TimeUnit;
 /**
  * Ways to confine a process that runs untrusted Python.
  *
- * <p>Both ways set limits (address space, processor time, file size, open files, wall time), give
- * the process no environment variables of ours, refuse operations that a component does not need
- * through Python's audit hooks (files, sockets, processes, native code, frame tracing), and refuse
- * new processes, sockets, signals to others, and the scheduling of others through seccomp (Linux on
- * x86-64 and AArch64). They differ in how they hide the files and processes of this machine.
+ * <p>Both ways limit address space, processor time, file size, open files and wall time, and give
+ * the process no environment variables of ours. Python's audit hooks refuse what a component does
+ * not need: files, sockets, processes, native code, frame tracing. On Linux on x86-64 and AArch64,
+ * seccomp refuses new processes, sockets, signals to others, and the scheduling of others. The ways
+ * differ in how they hide the files and processes of this machine.
  *
  * <p>Limits of audit hooks: they see only events that the interpreter reports. Native code that
  * opens files by itself and hand-made byte code bypass them; from Python 3.13 on also code that

@@ -121,7 +121,7 @@ public final class Simulation {
         : result;
   }
 
-  /** Drives a scenario once more; returns the finding that it was another run. */
+  /** Repeats a scenario; returns a finding if the second run differs. */
   private Optional<Diagnostic> repeat(NodeConfiguration nodes) throws InterruptedException {
     if (repetition.isEmpty()) {
       return Optional.empty();
@@ -151,8 +151,8 @@ public final class Simulation {
   }
 
   /**
-   * Measures the strength of the requirements, by runs with standard faults of the outputs that are
-   * judged as those without.
+   * Measures the strength of the requirements by runs with standard faults of outputs, which are
+   * judged like runs without faults.
    */
   private Strength strength(NodeConfiguration nodes, List<ScenarioRun> driven)
       throws InterruptedException {

@@ -240,7 +240,7 @@ public final class AnyModel {
         : TemplateModule.compile(template.main(), template.sources(), packages, services);
   }
 
-  /** Returns findings about a model that Acceleo does not look at, with warnings for errors. */
+  /** Returns findings with warnings in place of errors that Acceleo does not look for. */
   private static List<Diagnostic> milder(List<Diagnostic> found) {
     return found.stream()
         .map(each -> each.severity() == Severity.ERROR ? each.withSeverity(Severity.WARNING) : each)

@@ -134,8 +134,8 @@ public final class ChainTiming {
   }
 
   /**
-   * Returns the estimate of the reaction from what comes to a component to what another one makes
-   * of it, on whichever components read and write the same topics as they do.
+   * Returns the estimate of the reaction from the inputs of a component to the outputs of another
+   * one. Any components that connect the same topics may be in between.
    */
   public LatencyEstimate reaction(SoftwareNode first, SoftwareNode last) {
     Set<String> read = arrivals.topics(first);

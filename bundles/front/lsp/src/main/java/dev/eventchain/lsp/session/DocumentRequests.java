@@ -131,7 +131,7 @@ final class DocumentRequests implements TextDocumentService {
     changes.closed(params.getTextDocument().getUri());
   }
 
-  /** Saving changes no text that is read; that there may be a new file is noticed on disk. */
+  /** Does nothing: the text is known from its changes, and a new file is noticed on disk. */
   @Override
   public void didSave(DidSaveTextDocumentParams params) {}
 

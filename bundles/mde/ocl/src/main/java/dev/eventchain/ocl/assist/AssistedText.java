@@ -29,8 +29,8 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.types.CollectionType;
 
 /**
- * The part of an analysis that is about expressions and names. What is around the expressions, and
- * what else can be named, the language says.
+ * The part of an analysis that is about expressions and names. A language adds what surrounds its
+ * expressions, and what else has a name.
  */
 public abstract class AssistedText implements Analysis {
 
@@ -77,7 +77,7 @@ public abstract class AssistedText implements Analysis {
     return outerMentions();
   }
 
-  /** Returns the texts in which something may be named that this one can name. */
+  /** Returns the texts that share names with this one. */
   protected abstract List<? extends AssistedText> family();
 
   /** Returns what a name that is no variable stands for: each may be declared somewhere. */
@@ -86,8 +86,8 @@ public abstract class AssistedText implements Analysis {
   }
 
   /**
-   * Returns what has the same name as some targets, and has to keep it: all that is changed
-   * together.
+   * Returns the declarations that must keep a common name with some targets, such as overridden
+   * ones, and are therefore renamed together.
    *
    * @param texts the family
    */

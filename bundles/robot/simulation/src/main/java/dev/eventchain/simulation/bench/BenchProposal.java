@@ -130,7 +130,9 @@ final class BenchProposal {
         .toList();
   }
 
-  /** Returns how values that are not of the road get into messages, for one of them. */
+  /**
+   * Returns an example of an input: a value that comes neither from the road nor from the vehicle.
+   */
   private static String inputs(Field field, FieldType.Kind kind) {
     String name = "my." + field.path().replaceAll("\\W", "_");
     boolean isStated = !field.unit().matches("1?") && Unit.parse(field.unit()).isPresent();
@@ -238,7 +240,7 @@ final class BenchProposal {
     return "  " + RosNames.resolve(signal.topic(), "") + ":";
   }
 
-  /** Returns the rate of a topic; where nobody knows it, that of many sensors. */
+  /** Returns the rate of a topic, by default that of many sensors. */
   private String rate(dev.eventchain.model.Signal signal) {
     double known = rates.getOrDefault(RosNames.resolve(signal.topic(), ""), USUAL_RATE);
     double rate = Math.min(known, MOST_RATE);

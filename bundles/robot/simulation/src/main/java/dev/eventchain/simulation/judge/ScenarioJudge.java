@@ -125,8 +125,8 @@ public final class ScenarioJudge {
 
   /**
    * Returns whether a criterion is optional, and the software did not come to its premise. Software
-   * that sends nothing on a topic that it is to write has not avoided anything, and neither has
-   * software in a run that came to the premise and ended before the criterion was decided.
+   * that sends nothing on a topic that it is to write has not avoided the premise. Neither has
+   * software that came to it in a run that ended before the criterion was decided.
    */
   public boolean isUnasked(Expectation criterion, ScenarioRun run) {
     return run.scenario().isOptional(criterion)
@@ -142,8 +142,8 @@ public final class ScenarioJudge {
   }
 
   /**
-   * Returns whether a criterion is about a run that does not tell if it holds: the run ended too
-   * soon, or software sent nothing of what decides. A premise that never came true is none of that.
+   * Returns whether a run leaves open if a criterion holds: it ended too soon, or software sent
+   * nothing on the topics that decide. A premise that never came true leaves nothing open.
    */
   public boolean isOpen(Expectation criterion, ScenarioRun run) {
     Outcome outcome = withoutEvidence(criterion, run);
@@ -152,8 +152,8 @@ public final class ScenarioJudge {
   }
 
   /**
-   * Returns what the software wrote that its signals never have, in words: nothing shows what a
-   * vehicle does with it.
+   * Returns the written values that are outside the ranges of their signals, in words: no scenario
+   * shows the effect of such values on a vehicle.
    */
   public List<String> outOfRange(ScenarioRun run) {
     return run.trace().outside().stream()

@@ -210,9 +210,9 @@ public final class ScenarioRunner {
   }
 
   /**
-   * Advances time to the end, or to an impact, or to where the scenario ends, or until the ego and
-   * all others have come to rest and no criterion needs more, or to an early end; returns the wall
-   * time that this took, in ns.
+   * Advances time until the run is over; returns the wall time that this took, in ns. A run is over
+   * at its end, at an impact, where the scenario ends, or at an early end. It is also over when the
+   * ego and all others have come to rest and no criterion needs more.
    */
   private long drive(
       World world,

@@ -40,9 +40,9 @@ final class CriteriaOfPoints {
   }
 
   /**
-   * Returns a finding for each name that is the beginning of no criterion of a case, or not in all
-   * cases that have the criterion, which would then count as kept; and one if the protocol has none
-   * of the cases.
+   * Returns the problems of the named criteria. A name must be the beginning of a criterion in some
+   * case, and in each case that has the criterion; otherwise the case would count as kept. The
+   * protocol must have some of the cases.
    *
    * @param kinds the cases by the criteria that they have
    */
@@ -76,9 +76,9 @@ final class CriteriaOfPoints {
   }
 
   /**
-   * Requires that a case has the criteria that are named, as far as it has criteria that differ
-   * from these in numbers only, which would count as kept. Only some of all limits are tried before
-   * the first case.
+   * Requires that a case has the named criteria if it has criteria that differ from them in numbers
+   * only; otherwise it would count as kept. Only some of all limits are tried before the first
+   * case.
    *
    * @param texts those of its criteria
    * @throws DiagnosticException (INPUT) if it has others

@@ -46,7 +46,7 @@ final class ScenarioTemplate {
   private static final String PLAYED = "openscenario";
   private static final String PLAYED_FILE = "file";
 
-  /** Larger than any number of a scenario or a bench. */
+  /** A number that is larger than any in a scenario or a bench. */
   private static final long FIRST_MARK = 1L << 60;
 
   private final Bench usualBench;
@@ -182,7 +182,7 @@ final class ScenarioTemplate {
     }
   }
 
-  /** Returns what is wrong with the path of a node's phase: any key is one, whatever the chain. */
+  /** Returns the problem of a path to a node's phase; in a file, any key names a node. */
   private Optional<String> ofNoNode(String path) {
     String node = path.substring(path.startsWith(PHASE) ? PHASE.length() : 0);
     return path.startsWith(PHASE) && !nodes.contains(node)

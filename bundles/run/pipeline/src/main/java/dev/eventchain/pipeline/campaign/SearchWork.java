@@ -21,9 +21,9 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 
 /**
- * A search: a quarter of the runs is spread over the space, the others are those of the seeds, each
- * of which begins at another one of the best places so far. What is asked for depends on the
- * results of cases only, not on when they come.
+ * A search. A quarter of the runs is spread over the space. The others are divided among the seeds,
+ * each of which begins at another one of the best places so far. The requested cases depend on the
+ * results of others only, not on when these come.
  */
 final class SearchWork {
 

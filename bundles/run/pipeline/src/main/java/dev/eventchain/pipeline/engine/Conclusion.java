@@ -111,7 +111,10 @@ final class Conclusion {
     return RunTrials.of(simulated(), found, suppressed, passed, evidence, simulates);
   }
 
-  /** Returns all findings once: stages that need a valid model report the validation's, too. */
+  /**
+   * Returns all findings without repetitions: stages that need a valid model report those of the
+   * validation, too.
+   */
   private List<Diagnostic> found() {
     List<Diagnostic> all = all(StageOutcome::diagnostics);
     all.addAll(run.takeFindings());

@@ -147,8 +147,8 @@ public final class PipelineRun {
   }
 
   /**
-   * Returns whether a stage runs, or its result is recalled for a report alone. Of a verdict that
-   * was not reached, nothing is shown again: its own report stays.
+   * Returns whether a stage runs, or its result is recalled for a report alone. If there was no
+   * verdict, no result is recalled: the report of that run stays.
    */
   private boolean takesPart(Stage stage) {
     return run.options().onlyReports()

@@ -13,9 +13,9 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * The cases of a campaign as a table for the terminal: a row for each value of the first factor, a
- * column for each one of the second, if there is one, with the points of each case, if there are
- * any. Others have no such table.
+ * The cases of a campaign as a table for the terminal. The first factor's values are the rows, and
+ * those of a second one the columns; cells have the points of a case, if there are any. Other
+ * campaigns have no such table.
  */
 public final class CampaignMatrix {
 

@@ -27,7 +27,7 @@ public final class CampaignPage {
   private static final int NEAREST_OF_ONE = 3;
   private static final double ROUNDING = 1e-5;
 
-  /** More values than these would make a table that nobody sees as a whole. */
+  /** The largest number of values of a factor that a table shows. */
   private static final int WIDEST = 60;
 
   private static final String STYLE =
