@@ -152,6 +152,11 @@ class ReportInBrowserTest {
       requirement.path("generated").forEach(each -> said.add(each.path("file").asText()));
     }
     data.path("nodes").forEach(each -> said.add(each.path("name").asText()));
+    for (JsonNode signal : data.path("signals")) {
+      said.add(signal.path("name").asText());
+      said.add(signal.path("shown").asText());
+      signal.path("unshown").forEach(each -> said.add(each.asText()));
+    }
     data.path("hops").forEach(each -> said.add(each.path("topic").asText()));
     data.path("stages").forEach(each -> said.add(each.path("details").asText()));
     assertTrue(said.size() > 100, said::toString);

@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.chain.SimulatedChain;
+import dev.eventchain.simulation.coverage.SignalCoverage;
 import dev.eventchain.simulation.fault.Fault;
 import dev.eventchain.simulation.host.HostRules;
 import dev.eventchain.simulation.host.RunLog.Activation;
@@ -45,16 +46,19 @@ final class ResultBuilder {
   private final SimulatedChain chain;
   private final List<ScenarioRun> runs;
   private final List<FaultRun> faultRuns;
+  private final List<SignalCoverage> signals;
 
   ResultBuilder(
       SimulationRequest request,
       SimulatedChain chain,
       List<ScenarioRun> runs,
-      List<FaultRun> faultRuns) {
+      List<FaultRun> faultRuns,
+      List<SignalCoverage> signals) {
     this.request = request;
     this.chain = chain;
     this.runs = runs;
     this.faultRuns = faultRuns;
+    this.signals = signals;
   }
 
   SimulationResult build(String confinement, int processes, double wallSeconds) {
@@ -82,7 +86,7 @@ final class ResultBuilder {
             .flatMap(List::stream)
             .toList();
     return new SimulationResult(
-        verdicts, measurements, found, faults(judge, worked), Optional.empty(), host);
+        verdicts, measurements, found, faults(judge, worked), Optional.empty(), signals, host);
   }
 
   private SimulationResult.Host host(String confinement, int processes, double wallSeconds) {
@@ -199,7 +203,8 @@ final class ResultBuilder {
                             .formatted(run.scenario().name(), run.trace().ignored()),
                         SourceLocation.NONE.withElement(onlyCommander()))
                     .withHint(
-                        "Test what needs it with a vehicle that supports it, or do not command it."))
+                        "Test what needs it with a vehicle that supports it, or do not command"
+                            + " it."))
         .toList();
   }
 

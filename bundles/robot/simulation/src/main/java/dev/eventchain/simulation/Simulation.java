@@ -8,6 +8,7 @@ import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.chain.NodeConfiguration;
 import dev.eventchain.simulation.chain.SimulatedChain;
+import dev.eventchain.simulation.coverage.CoverageRecord;
 import dev.eventchain.simulation.fault.Fault;
 import dev.eventchain.simulation.host.HostProgram;
 import dev.eventchain.simulation.host.LockstepProcess;
@@ -60,6 +61,7 @@ public final class Simulation {
   private final Optional<Repetition> repetition;
   private final SortedMap<Integer, ScenarioRun> runs = new TreeMap<>();
   private final SortedMap<Integer, FaultRun> faultRuns = new TreeMap<>();
+  private final SortedMap<Integer, CoverageRecord> coverage = new TreeMap<>();
 
   private Simulation(
       SimulationRequest request, PythonEnvironment python, Consumer<String> progress) {
@@ -110,7 +112,12 @@ public final class Simulation {
     double wallSeconds = (System.nanoTime() - started) / 1e9;
     List<ScenarioRun> driven = List.copyOf(runs.values());
     SimulationResult result =
-        new ResultBuilder(request, chain, driven, List.copyOf(faultRuns.values()))
+        new ResultBuilder(
+                request,
+                chain,
+                driven,
+                List.copyOf(faultRuns.values()),
+                CoverageRecord.of(chain, coverage.values(), request.scenarios()))
             .build(describeConfinement(), processes, wallSeconds);
     Optional<Diagnostic> differs = repeat(nodes);
     if (differs.isPresent()) {
@@ -140,7 +147,9 @@ public final class Simulation {
 
   private HostPool.State repeat(Repetition again, NodeHosts hosts, NodeConfiguration nodes) {
     new ScenarioRunner(chain, nodes, Optional.empty(), hosts.session(), Map.of())
-        .run(again.scenario(), new Kept(false, Optional.of(again.second()), Optional.empty()));
+        .run(
+            again.scenario(),
+            new Kept(false, Optional.of(again.second()), Optional.empty(), Optional.empty()));
     return HostPool.State.DONE;
   }
 
@@ -254,7 +263,8 @@ public final class Simulation {
     int scenarios = request.scenarios().size();
     if (number < scenarios) {
       Scenario scenario = request.scenarios().get(number);
-      done(number, runner.run(scenario, kept(scenario)));
+      Kept kept = kept(scenario);
+      done(number, runner.run(scenario, kept), kept);
       return HostPool.State.DONE;
     }
     FaultRun run = runner.run(request.settings().faults().faults().get(number - scenarios));
@@ -266,7 +276,10 @@ public final class Simulation {
     return new Kept(
         answering().contains(scenario),
         repetition.filter(it -> it.scenario() == scenario).map(Repetition::first),
-        request.settings().samples() ? Optional.of(new MessageSamples(chain)) : Optional.empty());
+        request.settings().samples() ? Optional.of(new MessageSamples(chain)) : Optional.empty(),
+        request.settings().coverage() && !isInRealTime()
+            ? Optional.of(new CoverageRecord(chain))
+            : Optional.empty());
   }
 
   /** Returns the scenarios in which the value latencies of the components are measured. */
@@ -309,8 +322,9 @@ public final class Simulation {
         python);
   }
 
-  private synchronized void done(int scenario, ScenarioRun run) {
+  private synchronized void done(int scenario, ScenarioRun run, Kept kept) {
     runs.put(scenario, run);
+    kept.coverage().ifPresent(it -> coverage.put(scenario, it));
     progress.accept(run.scenario().name());
   }
 

@@ -2,6 +2,7 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.simulation.coverage.SignalCoverage;
 import dev.eventchain.simulation.measure.MeasuredModel;
 import dev.eventchain.simulation.verdict.FaultVerdict;
 import dev.eventchain.simulation.verdict.Measurements;
@@ -23,6 +24,8 @@ import java.util.TreeMap;
  *     made ({@code topic.type.mismatch}, {@code qos.incompatible})
  * @param faults the verdicts of the faults, in the order of the request
  * @param strength the strength of the requirements; empty if it was not measured
+ * @param signals the values that signals had in the scenarios, in the order of the chain; empty if
+ *     this was not recorded
  * @param host the execution of the simulation itself
  */
 public record SimulationResult(
@@ -31,6 +34,7 @@ public record SimulationResult(
     List<Diagnostic> diagnostics,
     List<FaultVerdict> faults,
     Optional<Strength> strength,
+    List<SignalCoverage> signals,
     Host host) {
 
   /** Copies the lists. */
@@ -38,6 +42,7 @@ public record SimulationResult(
     faults = List.copyOf(faults);
     verdicts = List.copyOf(verdicts);
     diagnostics = List.copyOf(diagnostics);
+    signals = List.copyOf(signals);
   }
 
   /**
@@ -71,14 +76,14 @@ public record SimulationResult(
   /** Returns a copy with the strength of the requirements. */
   SimulationResult withStrength(Strength measured) {
     return new SimulationResult(
-        verdicts, measurements, diagnostics, faults, Optional.of(measured), host);
+        verdicts, measurements, diagnostics, faults, Optional.of(measured), signals, host);
   }
 
   /** Returns a copy with another finding that does not belong to a criterion. */
   SimulationResult with(Diagnostic finding) {
     List<Diagnostic> all = new ArrayList<>(diagnostics);
     all.add(finding);
-    return new SimulationResult(verdicts, measurements, all, faults, strength, host);
+    return new SimulationResult(verdicts, measurements, all, faults, strength, signals, host);
   }
 
   /** Returns whether every scenario passed. */

@@ -30,6 +30,7 @@ public final class SimulationSettings {
   private Optional<StrengthBudget> strength = Optional.empty();
   private boolean complete = true;
   private boolean samples;
+  private boolean coverage;
   private Optional<DdsAttachment> attachment = Optional.empty();
 
   private SimulationSettings() {}
@@ -47,6 +48,7 @@ public final class SimulationSettings {
     copy.strength = strength;
     copy.complete = complete;
     copy.samples = samples;
+    copy.coverage = coverage;
     copy.attachment = attachment;
     change.accept(copy);
     return copy;
@@ -145,6 +147,14 @@ public final class SimulationSettings {
     return with(copy -> copy.samples = kept);
   }
 
+  /**
+   * Returns a copy that records which values the signals of the chain have, or does not. In real
+   * time nothing is recorded.
+   */
+  public SimulationSettings withCoverage(boolean recorded) {
+    return with(copy -> copy.coverage = recorded);
+  }
+
   public int processes() {
     return processes;
   }
@@ -185,6 +195,10 @@ public final class SimulationSettings {
 
   public boolean samples() {
     return samples;
+  }
+
+  public boolean coverage() {
+    return coverage;
   }
 
   public Optional<DdsAttachment> attachment() {

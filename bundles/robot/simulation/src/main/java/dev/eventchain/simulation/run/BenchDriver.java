@@ -286,6 +286,7 @@ final class BenchDriver {
       return;
     }
     ranges.look(publisher.topic().name(), publisher.message(), now, world.trace());
+    kept.coverage().ifPresent(it -> it.add(publisher.topic().name(), publisher.message()));
     underway.add(
         new Underway(
             world.now() + publisher.latency(),
@@ -302,7 +303,7 @@ final class BenchDriver {
         .ifPresent(it -> it.add(outbound.time(), receiver.topic().name(), outbound.message()));
     if (receiver.effects().isEmpty()
         && receiver.recorded().isEmpty()
-        && kept.samples().isEmpty()
+        && !kept.isOfContents()
         && !isRead(receiver.topic().name())) {
       return;
     }
@@ -310,6 +311,7 @@ final class BenchDriver {
     outputs.add(receiver.topic().name(), message);
     ranges.look(receiver.topic().name(), message, outbound.time(), world.trace());
     kept.samples().ifPresent(it -> it.add(receiver.topic().name(), outbound.time(), message));
+    kept.coverage().ifPresent(it -> it.add(receiver.topic().name(), message));
     expire(receiver, outbound.time(), world);
     values(receiver.recorded(), message)
         .forEach((name, it) -> world.trace().sample(name, outbound.time(), it));

@@ -115,6 +115,17 @@ public record ObjectSensor(
   }
 
   /**
+   * Returns whether a field may be another one for other objects, apart from their numbers.
+   *
+   * @param path as the bench has it, {@code objects[].width} in a list of messages
+   */
+  public boolean varies(String path) {
+    return columns.stream()
+        .filter(each -> each.property() != Property.ID)
+        .anyMatch(each -> path.equals(each.path()));
+  }
+
+  /**
    * A field of the message.
    *
    * @param unit the unit of the field

@@ -88,6 +88,7 @@ public final class ReportData {
     set("nodes", simulated().map(Simulated::nodes).orElse(List.of()));
     set("hops", simulated().map(Simulated::hops).orElse(List.of()));
     set("topics", simulated().map(Simulated::topics).orElse(List.of()));
+    set("signals", simulated().map(Simulated::signals).orElse(List.of()));
     set("requirements", new Traceability(run, model, outcomes).table());
     return data;
   }

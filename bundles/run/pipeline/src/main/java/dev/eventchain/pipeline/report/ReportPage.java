@@ -54,6 +54,7 @@ public final class ReportPage {
           "requirements.js",
           "measurements.js",
           "bounds.js",
+          "shown.js",
           "report.js");
 
   /** The name of the report among the results of a run. */

@@ -15,6 +15,7 @@ import java.util.OptionalLong;
  * @param attached the driver of nodes that were started elsewhere, if they were
  * @param latencies that of the chain, and those of the constraints
  * @param processors those to which components are mapped
+ * @param signals the values of the signals of the chain; empty in a simulation of some scenarios
  * @param untested the qualified names of constraints that implement a requirement and were not
  *     tested
  * @param requirements the outcome of each requirement; empty in a simulation of some scenarios
@@ -34,13 +35,14 @@ public record Simulated(
     List<Topic> topics,
     List<BoundedLatency> latencies,
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<LoadedProcessor> processors,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<ShownSignal> signals,
     List<String> untested,
     List<RequirementOutcome> requirements,
     Optional<String> strength,
     Validation validation)
     implements StageReport {
 
-  /** Copies the lists; JSON omits empty ones of faults and processors. */
+  /** Copies the lists; JSON omits empty ones of faults, processors and signals. */
   public Simulated {
     scenarios = List.copyOf(scenarios);
     faults = faults == null ? List.of() : List.copyOf(faults);
@@ -49,6 +51,7 @@ public record Simulated(
     topics = List.copyOf(topics);
     latencies = List.copyOf(latencies);
     processors = processors == null ? List.of() : List.copyOf(processors);
+    signals = signals == null ? List.of() : List.copyOf(signals);
     untested = List.copyOf(untested);
     requirements = List.copyOf(requirements);
   }

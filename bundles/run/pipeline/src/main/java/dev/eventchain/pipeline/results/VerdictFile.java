@@ -14,6 +14,7 @@ import java.util.OptionalLong;
  * @param violated the rules that errors name
  * @param strength why the strength of requirements was not measured, or the size of its sample;
  *     empty if all faults were driven
+ * @param unshown what no scenario shows of signals; empty unless every scenario passed
  * @param requirements the outcome of each requirement; empty if there is no verdict
  */
 public record VerdictFile(
@@ -25,6 +26,7 @@ public record VerdictFile(
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<String> violated,
     Optional<String> strength,
     Optional<List<RequirementOutcome>> requirements,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Unshown> unshown,
     List<Scenario> scenarios,
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<SimulatedFault> faults) {
 
@@ -36,8 +38,18 @@ public record VerdictFile(
       List<String> requirements,
       List<Criterion> criteria) {}
 
+  /**
+   * Something that no scenario shows of a signal.
+   *
+   * @param signal as formulas have it
+   * @param gap its kind
+   * @param words after "no scenario shows"
+   */
+  public record Unshown(String signal, String gap, String words) {}
+
   /** Copies the lists, of which JSON omits some where they are empty. */
   public VerdictFile {
+    unshown = unshown == null ? List.of() : List.copyOf(unshown);
     violated = violated == null ? List.of() : List.copyOf(violated);
     scenarios = List.copyOf(scenarios);
     faults = faults == null ? List.of() : List.copyOf(faults);
@@ -58,6 +70,7 @@ public record VerdictFile(
         List.of(),
         Optional.empty(),
         Optional.empty(),
+        List.of(),
         List.of(),
         List.of());
   }

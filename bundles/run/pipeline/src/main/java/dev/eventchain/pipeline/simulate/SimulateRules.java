@@ -21,6 +21,8 @@ final class SimulateRules {
   static final Rule SIMULATION_RULE_UNTESTED =
       Rule.error("simulation.rule.untested", CommonTrait.UNTESTED);
 
+  static final Rule SIMULATION_SIGNAL_UNSHOWN = Rule.info("simulation.signal.unshown");
+
   static final Rule SIMULATION_STRENGTH_IDLE =
       Rule.error("simulation.strength.idle", CommonTrait.UNTESTED);
   static final Rule SIMULATION_STRENGTH_LOW =

@@ -126,6 +126,7 @@ public final class SimulateStage implements StageWork {
     result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
     result.faults().forEach(fault -> found.addAll(fault.diagnostics()));
     found.addAll(RequirementStrength.of(run, result).findings());
+    found.addAll(UnshownSignals.of(result).findings());
     return result;
   }
 
@@ -135,7 +136,7 @@ public final class SimulateStage implements StageWork {
     FaultPlan faults = ProjectFaults.selected(run, chain, scenarios);
     Recordings recordings = new Recordings(run, scenarios, faults);
     SimulationRequest request =
-        recordings.begin(request(run, scenarios).with(it -> it.withFaults(faults)));
+        recordings.begin(request(run, scenarios).with(it -> whole(run, it.withFaults(faults))));
     int all = scenarios.size() + faults.size();
     AtomicInteger done = new AtomicInteger();
     try {
@@ -158,6 +159,11 @@ public final class SimulateStage implements StageWork {
     } finally {
       recordings.keep();
     }
+  }
+
+  /** Returns settings that record what scenarios show, if they are all of the project. */
+  private static SimulationSettings whole(RunContext run, SimulationSettings settings) {
+    return settings.withCoverage(!run.options().isPartial());
   }
 
   /** Returns the number of a run; those with standard faults come after all others. */

@@ -57,6 +57,7 @@ final class SimulationReport {
         flow.topics().stream().map(SimulationReport::topic).toList(),
         latencies,
         processors,
+        UnshownSignals.table(result),
         untested,
         outcomes,
         strength,

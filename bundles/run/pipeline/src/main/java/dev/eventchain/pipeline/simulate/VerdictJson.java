@@ -56,6 +56,7 @@ public final class VerdictJson {
             violated,
             strength,
             Optional.of(outcomes),
+            UnshownSignals.of(result).listed(),
             result.verdicts().stream().map(VerdictJson::outcome).toList(),
             FaultReport.of(result)));
   }

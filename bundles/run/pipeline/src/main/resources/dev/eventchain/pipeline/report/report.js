@@ -197,7 +197,7 @@ function page() {
   completeRequirements();
   const findings = diagnosticSection();
   const other = errors.some((error) => !isOfCriterion(error));
-  const sections = [other ? findings : null, scenarioSection(), faultSection(), made("chain"), shown("requirements"), validationSection(),
+  const sections = [other ? findings : null, scenarioSection(), faultSection(), made("chain"), shown("requirements"), shownSection(), validationSection(),
     other ? null : findings, made("measurements"), stageSection(), retrievedSection(), conversationSection(), provenanceSection()].filter(Boolean);
   const links = sections.map((one) => html("li", null, html("a", { href: "#" + one.id }, one.querySelector("h2").textContent)));
   document.querySelector("header").after(html("nav", { class: "contents", "aria-label": "Contents" }, html("ul", null, links)));
@@ -209,7 +209,7 @@ function page() {
   completeBounds();
   completeFlow();
   if (verdictOf(record(data.project)) !== "passed") {
-    ["chain", "validation", "measurements", "stages", "retrieved", "conversations", "provenance"].filter((id) => !isToldThere(id)).forEach(foldSection);
+    ["chain", "signals", "validation", "measurements", "stages", "retrieved", "conversations", "provenance"].filter((id) => !isToldThere(id)).forEach(foldSection);
   }
   addEventListener("hashchange", unfold);
   addEventListener("beforeprint", () => document.querySelectorAll("details.printed, details.folded").forEach((one) => (one.open = true)));
