@@ -1,6 +1,5 @@
 package dev.eventchain.catalogue.vss;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.catalogue.signal.CatalogueSignal;
 import dev.eventchain.catalogue.signal.CatalogueSignal.Role;
@@ -153,6 +152,8 @@ final class VssLeaves {
       String message = "The range of '" + path + "' ends before it begins.";
       find(message, node.location(), "");
     }
+    VssValues values =
+        VssValues.of(node, element.equals("string"), (message, at) -> find(message, at, ""));
     return Optional.of(
         new CatalogueSignal(
             path,
@@ -161,8 +162,8 @@ final class VssLeaves {
             CatalogueUnits.of(node.text("unit")),
             least,
             most,
-            allowed(node),
-            List.of(),
+            values.texts(),
+            element.equals(datatype) ? values.names() : List.of(),
             node.text(DESCRIPTION),
             groups,
             node.location()));
@@ -200,29 +201,6 @@ final class VssLeaves {
       return OptionalDouble.empty();
     }
     return OptionalDouble.of(value.get().json().doubleValue());
-  }
-
-  /** Returns the allowed values; those of an enumeration with their numbers. */
-  private List<String> allowed(VssNode node) {
-    List<String> texts = new ArrayList<>();
-    node.value("allowed")
-        .ifPresent(
-            value -> {
-              for (JsonNode each : value.json()) {
-                texts.add(each.asText());
-              }
-              if (texts.isEmpty()) {
-                find("'allowed' must be a list of values.", value.location(), "");
-              }
-            });
-    node.value("enum")
-        .ifPresent(
-            value ->
-                value
-                    .json()
-                    .properties()
-                    .forEach(each -> texts.add(each.getValue().asText() + " " + each.getKey())));
-    return texts;
   }
 
   private void find(String message, SourceLocation place, String hint) {
