@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.Completion;
+import dev.eventchain.editing.ElementKind;
+import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.TextPosition;
 import dev.eventchain.editing.Workspace;
@@ -25,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Completion in the YAML of projects: keys and values by the schemas, names by the project. */
 class YamlCompletionTest {
@@ -190,6 +193,50 @@ class YamlCompletionTest {
   @CsvSource(
       delimiter = '|',
       value = {
+        "scenarios/new.yaml | ^ | name, title, ego, accept, duration_s | name: $1\\ntitle: $2\\nego:\\n  speed_kmh: $3\\naccept:\\n  $4\\nduration_s: $5",
+        "scenarios/new.yaml | openscenario:\\n  file: a.xosc\\n^ | name, title, accept | name: $1\\ntitle: $2\\naccept:\\n  $3",
+        "scenarios/new.yaml | furn^ | furniture … | furniture:\\n  - kind: ${1:parked_car}\\n    gap_m: $2",
+        "scenarios/new.yaml | actors:\\n  - ^ | gap_m, speed_kmh | gap_m: $1\\n  speed_kmh: $2",
+        "scenarios/new.yaml | ego:\\n  maneuvers:\\n    - at_s: 1\\n      ^ | speed_kmh, acceleration_mps2 | speed_kmh: $1\\nacceleration_mps2: $2",
+        "eventchain.yaml | pri^ | prices … | prices:\\n  ${1:name}:\\n    input_per_million: $2\\n    output_per_million: $3",
+        "eventchain.yaml | services:\\n  ours:\\n    ^ | wire, url | wire: ${1:openai}\\nurl: $2",
+        "eventchain-suppressions.yaml | - ^ | id, reason, expires | id: $1\\n  reason: $2\\n  expires: $3",
+        "faults.yaml | faults:\\n  - name: a\\n    ^ | scenario, at_s, drop | scenario: $1\\nat_s: $2\\ndrop:\\n  topic: $3",
+        "campaigns/c.yaml | factors:\\n  a:\\n    ^ | from, to, step | from: $1\\nto: $2\\nstep: $3",
+        "bench.yaml | ^ | provides … | provides:\\n  ${1:name}:\\n    rate_hz: $2\\n    fields:\\n      ${3:name}: $4",
+      })
+  void whatIsRequiredIsProposedAtOnce(String file, String marked, String label, String expected) {
+    Completion found =
+        proposals(file, marked.replace("\\n", "\n")).stream()
+            .filter(each -> each.kind() == ElementKind.SNIPPET && each.label().equals(label))
+            .findFirst()
+            .orElseThrow();
+    assertTrue(found.snippet());
+    assertEquals(expected.replace("\\n", "\n"), found.insertText());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "actors:\n  - gap_m: 1\n    ^",
+        "ego: {^}",
+        "act^ors: 1",
+        "ego:\n  speed_kmh: 3\n  ^"
+      })
+  void nothingElseIsProposedAtOnce(String marked) {
+    assertEquals(
+        List.of(),
+        proposals(SCENARIO, marked).stream()
+            .filter(each -> each.kind() == ElementKind.SNIPPET)
+            .map(Completion::label)
+            .filter(each -> !each.equals("maneuvers …"))
+            .toList());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
         "# ^",
         "seed: 1 # ^",
         "description: >\\n  eg^",
@@ -280,6 +327,31 @@ class YamlCompletionTest {
             .hover(cursor(suppressions))
             .orElseThrow()
             .markdown());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "faults.yaml | faults:\\n  - scenario: stopped-veh^icle-50 | Stopped vehicle, 50 km/h | scenarios/stopped-vehicle-50.yaml | name: stopped-vehicle-50",
+        "faults.yaml | faults:\\n  - kill: Brake_^Request | Brakes with 9 m/s2 below | software-base/components.json | \"name\": \"Brake_Request\",",
+        "faults.yaml | faults:\\n  - drop: {topic: /radar/tar^get} | demo_msgs/msg/RadarTarget | |",
+        "scenarios/new.yaml | phases_ms:\\n  Brake_^Request: 3 | Brakes with 9 m/s2 below | software-base/components.json | \"name\": \"Brake_Request\",",
+        "faults.yaml | faults:\\n  - kill: Nob^ody | | |",
+      })
+  void namesAreDescribedAndLeadToTheirOwners(
+      String file, String marked, String about, String target, String line) throws IOException {
+    String whole = marked.replace("\\n", "\n");
+    Analysis analysis = analysis(file, whole);
+    String shown = analysis.hover(cursor(whole)).map(each -> each.markdown()).orElse("");
+    assertTrue(about == null ? shown.isEmpty() : shown.startsWith(about), shown);
+    List<FileRange> found = analysis.definitions(cursor(whole));
+    assertEquals(target == null ? 0 : 1, found.size(), found.toString());
+    if (target != null) {
+      assertEquals(project.resolve(target), found.get(0).file());
+      List<String> lines = Files.readAllLines(found.get(0).file());
+      assertEquals(line, lines.get(found.get(0).range().start().line()).strip());
+    }
   }
 
   @Test

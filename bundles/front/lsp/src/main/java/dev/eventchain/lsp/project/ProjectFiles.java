@@ -192,6 +192,29 @@ final class ProjectFiles {
         .findFirst();
   }
 
+  /**
+   * Returns where a scenario or a component has its name: in its file, in the description of the
+   * software base, or else in the chain.
+   */
+  Optional<FileRange> declaration(String name) {
+    Path scenarios = folder.folder().resolve(ProjectLayout.SCENARIOS);
+    List<Path> files =
+        new ArrayList<>(files().stream().filter(each -> each.startsWith(scenarios)).toList());
+    Stream.of(Optional.of(folder.componentsFile()), folder.model(folder.defaultOutput()))
+        .flatMap(Optional::stream)
+        .filter(Files::isRegularFile)
+        .forEach(files::add);
+    return uses(name, files).stream().filter(this::isDeclared).findFirst();
+  }
+
+  /** Returns whether a name stands behind the key or the attribute of names. */
+  private boolean isDeclared(FileRange use) {
+    String text = workspace.text(use.file()).map(SourceText::text).orElse("");
+    String before = text.substring(0, new TextLines(text).offset(use.range().start()));
+    String line = before.substring(before.lastIndexOf('\n') + 1);
+    return line.matches("(.*[\\s{,])?(name: *[\"']?|\"name\" *: *\"|name=\")");
+  }
+
   /** Returns all places at which the project names something, in the order of the files. */
   List<FileRange> uses(String id) {
     return uses(id, files());

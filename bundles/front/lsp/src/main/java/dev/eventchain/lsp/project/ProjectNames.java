@@ -27,6 +27,18 @@ final class ProjectNames {
     return project.factorPaths(file, scenario);
   }
 
+  /** Returns the names that may stand at a place, as a key or a value. */
+  Map<String, String> at(Kind kind, YamlPlace place) {
+    Map<String, String> all = new LinkedHashMap<>();
+    if (place.takesKeys()) {
+      all.putAll(keys(kind, place));
+    }
+    if (place.takesValue()) {
+      all.putAll(values(kind, place));
+    }
+    return all;
+  }
+
   /** Returns the names that may be keys at a place, each with what is known about it. */
   Map<String, String> keys(Kind kind, YamlPlace place) {
     List<String> path = place.path();

@@ -6,9 +6,9 @@ import dev.eventchain.lsp.text.ProtocolJson;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +18,10 @@ import java.util.Set;
 final class ProjectSchema {
 
   private static final List<String> ALTERNATIVES = List.of("allOf", "anyOf", "oneOf");
+
+  /** The most alternatives of what a mapping needs that are told apart. */
+  private static final int MOST_NEEDS = 30;
+
   private static final List<String> CONDITIONAL = List.of("then", "else");
 
   private final JsonNode root;
@@ -32,13 +36,75 @@ final class ProjectSchema {
 
   /** Returns what describes the value at a path; nothing for a path that must not be. */
   List<JsonNode> at(List<String> path) {
-    List<JsonNode> found = withAlternatives(List.of(root));
+    return withAlternatives(named(path));
+  }
+
+  /** Returns the same, with alternatives and references still in it. */
+  private List<JsonNode> named(List<String> path) {
+    List<JsonNode> found = List.of(root);
     for (String step : path) {
-      List<JsonNode> next = new ArrayList<>();
-      found.forEach(each -> below(each, step).ifPresent(next::add));
-      found = withAlternatives(next);
+      Set<JsonNode> next = Collections.newSetFromMap(new IdentityHashMap<>());
+      List<JsonNode> ordered = new ArrayList<>();
+      for (JsonNode each : withAlternatives(found)) {
+        below(each, step).filter(next::add).ifPresent(ordered::add);
+      }
+      found = ordered;
     }
     return found;
+  }
+
+  /**
+   * Returns the sets of keys that the mapping at a path needs, one for each alternative that goes
+   * with the keys that it has.
+   */
+  List<Set<String>> needs(List<String> path, Set<String> present) {
+    List<Set<String>> all = List.of(Set.of());
+    for (JsonNode each : named(path)) {
+      all = both(all, needs(each, present));
+    }
+    return all;
+  }
+
+  private List<Set<String>> needs(JsonNode schema, Set<String> present) {
+    Set<String> required = required(schema);
+    List<Set<String>> all = List.of(required);
+    if (schema.has("$ref")) {
+      all = both(all, needs(referred(schema.get("$ref").asText()), present));
+    }
+    if (schema.has("if")) {
+      boolean holds = present.containsAll(required(schema.get("if")));
+      all = both(all, needs(schema.path(holds ? "then" : "else"), present));
+    }
+    for (JsonNode each : schema.path("allOf")) {
+      all = both(all, needs(each, present));
+    }
+    for (String name : List.of("anyOf", "oneOf")) {
+      List<Set<String>> alternatives = new ArrayList<>();
+      schema.path(name).forEach(each -> alternatives.addAll(needs(each, present)));
+      List<Set<String>> begun =
+          alternatives.stream().filter(it -> !Collections.disjoint(it, present)).toList();
+      all = both(all, begun.isEmpty() ? alternatives : begun);
+    }
+    return all;
+  }
+
+  private static Set<String> required(JsonNode schema) {
+    Set<String> required = new LinkedHashSet<>();
+    schema.path("required").forEach(each -> required.add(each.asText()));
+    return required;
+  }
+
+  /** Returns each set of one list with each of another one, which is left out if it is empty. */
+  private static List<Set<String>> both(List<Set<String>> some, List<Set<String>> others) {
+    List<Set<String>> all = new ArrayList<>();
+    for (Set<String> each : some) {
+      for (Set<String> other : others.isEmpty() ? List.of(Set.<String>of()) : others) {
+        Set<String> joined = new LinkedHashSet<>(each);
+        joined.addAll(other);
+        all.add(joined);
+      }
+    }
+    return all.stream().distinct().limit(MOST_NEEDS).toList();
   }
 
   private Optional<JsonNode> below(JsonNode schema, String step) {
@@ -111,8 +177,7 @@ final class ProjectSchema {
   List<Key> keys(List<String> path) {
     Map<String, Key> found = new LinkedHashMap<>();
     for (JsonNode schema : at(path)) {
-      Set<String> required = new HashSet<>();
-      schema.path("required").forEach(each -> required.add(each.asText()));
+      Set<String> required = required(schema);
       for (Map.Entry<String, JsonNode> each : schema.path("properties").properties()) {
         boolean isRequired = required.contains(each.getKey());
         object(each.getValue())

@@ -210,7 +210,16 @@ final class ProjectText implements Analysis {
 
   @Override
   public List<FileRange> definitions(TextPosition position) {
-    return named(position).flatMap(named -> project.place(named.requirement())).stream().toList();
+    return named(position)
+        .flatMap(named -> project.place(named.requirement()))
+        .or(() -> name(position).flatMap(project::declaration))
+        .stream()
+        .toList();
+  }
+
+  /** Returns the name of a component, topic or scenario at a position. */
+  private Optional<String> name(TextPosition position) {
+    return yaml().flatMap(each -> each.name(lines.offset(position)));
   }
 
   @Override

@@ -34,19 +34,38 @@ final class YamlCompletion {
     return new YamlText(text).place(offset).map(this::at).orElse(List.of());
   }
 
-  /** Returns what the schema says about the key at an offset. */
+  /** Returns what the schema says about the key at an offset, or the project about a name. */
   Optional<Hover> described(int offset) {
-    return new YamlText(text)
-        .place(offset)
+    Optional<YamlPlace> place = new YamlText(text).place(offset);
+    return place
         .filter(YamlPlace::takesKeys)
         .flatMap(
-            place ->
-                schema.keys(place.path()).stream()
-                    .filter(each -> each.name().equals(text.substring(place.start(), place.end())))
+            at ->
+                schema.keys(at.path()).stream()
+                    .filter(each -> each.name().equals(word(at)))
                     .map(each -> ProjectSchema.description(each.values()))
                     .filter(each -> !each.isEmpty())
-                    .map(each -> new Hover(each, replaced(place)))
-                    .findFirst());
+                    .map(each -> new Hover(each, replaced(at)))
+                    .findFirst())
+        .or(
+            () ->
+                place.flatMap(
+                    at ->
+                        Optional.ofNullable(names.at(kind, at).get(word(at)))
+                            .filter(about -> !about.isEmpty())
+                            .map(about -> new Hover(about, replaced(at)))));
+  }
+
+  /** Returns the name at an offset, if the project has it: of a component, topic or scenario. */
+  Optional<String> name(int offset) {
+    return new YamlText(text)
+        .place(offset)
+        .filter(at -> names.at(kind, at).containsKey(word(at)))
+        .map(this::word);
+  }
+
+  private String word(YamlPlace place) {
+    return text.substring(place.start(), place.end());
   }
 
   private List<Completion> at(YamlPlace place) {
@@ -61,6 +80,9 @@ final class YamlCompletion {
           .filter(each -> !place.keys().contains(each.getKey()))
           .map(each -> name(each, place, isBeforeColon(place) ? "" : ": "))
           .forEach(found::add);
+      if (!place.isFlow() && !isBeforeColon(place)) {
+        SchemaSnippets.at(schema, place).forEach(each -> found.add(snippet(each, place)));
+      }
     }
     if (place.takesValue()) {
       values(place, found);
@@ -70,6 +92,17 @@ final class YamlCompletion {
 
   private boolean isBeforeColon(YamlPlace place) {
     return text.startsWith(":", place.end());
+  }
+
+  private Completion snippet(SchemaSnippets.Snippet snippet, YamlPlace place) {
+    return new Completion(
+        snippet.label(),
+        ElementKind.SNIPPET,
+        "with what is required",
+        "",
+        snippet.text(),
+        true,
+        replaced(place));
   }
 
   private Completion key(ProjectSchema.Key key, YamlPlace place) {

@@ -28,6 +28,9 @@ record YamlPlace(
   /** The step from a list to any of its elements. */
   static final String ITEM = "[]";
 
+  /** The step from a mapping to the value of a key of any name; no key has an empty one. */
+  static final String ANY = "";
+
   YamlPlace {
     path = List.copyOf(path);
     keys = Set.copyOf(keys);
