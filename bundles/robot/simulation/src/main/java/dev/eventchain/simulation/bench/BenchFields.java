@@ -3,6 +3,7 @@ package dev.eventchain.simulation.bench;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
@@ -15,6 +16,7 @@ import dev.eventchain.simulation.bench.Bench.Source;
 import dev.eventchain.simulation.formula.Condition;
 import dev.eventchain.simulation.formula.Formula;
 import dev.eventchain.simulation.formula.FormulaParser;
+import dev.eventchain.simulation.formula.NamedValues;
 import dev.eventchain.simulation.formula.Signal;
 import dev.eventchain.simulation.formula.Term;
 import dev.eventchain.simulation.formula.WorldSignals;
@@ -95,8 +97,10 @@ final class BenchFields {
     } else {
       found = Optional.of(constant(value));
     }
+    NamedValues names = FieldNames.of(declared, topic, () -> message, path);
+    found = found.map(it -> FieldNames.numbered(it, names));
     found.ifPresent(it -> declared.check(part, topic, path, it));
-    found = found.filter(it -> fits(part, path, it, message));
+    found = found.filter(it -> fits(part, path, it, message, names));
     return found.map(it -> new Field(path, it, part.atKey(path)));
   }
 
@@ -217,7 +221,11 @@ final class BenchFields {
 
   /** Checks that a constant can be the field's value. */
   private static boolean fits(
-      ObjectReader part, String path, Source source, Optional<MessageType> message) {
+      ObjectReader part,
+      String path,
+      Source source,
+      Optional<MessageType> message,
+      NamedValues names) {
     if (source instanceof Bench.Constant constant && !isPlain(constant.value())) {
       part.find(BenchRules.BENCH_VALUE_RANGE, NO_VALUE, part.at(path));
       return false;
@@ -229,7 +237,11 @@ final class BenchFields {
           throw new IllegalArgumentException(constant.value() + " is out of the range of float32.");
         }
       } catch (IllegalArgumentException e) {
-        part.find(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), part.at(path));
+        String hint = NearestName.hint(String.valueOf(constant.value()), names.names());
+        Diagnostic finding =
+            Diagnostic.of(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), part.at(path));
+        boolean isName = constant.value() instanceof String && !names.isEmpty();
+        part.find(isName ? finding.withHint(hint) : finding);
         return false;
       }
     }

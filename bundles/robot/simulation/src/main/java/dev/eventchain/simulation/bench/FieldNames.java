@@ -8,6 +8,7 @@ import dev.eventchain.model.Signal.Values;
 import dev.eventchain.simulation.formula.NamedValues;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * The names of the values of fields: those of the catalogue or, if it has none, constants of the
@@ -26,6 +27,19 @@ final class FieldNames {
 
   /** Returns the names of a field of a topic; none if nobody states any. */
   NamedValues of(String topic, String type, String path) {
+    return of(declared, topic, () -> catalog.find(type), path);
+  }
+
+  /**
+   * Returns the names of a field likewise.
+   *
+   * @param message the type of the topic's messages, if known; asked for if there is no catalogue
+   */
+  static NamedValues of(
+      DeclaredSignals declared,
+      String topic,
+      Supplier<Optional<MessageType>> message,
+      String path) {
     Values values =
         declared
             .find(topic)
@@ -37,11 +51,30 @@ final class FieldNames {
     }
     List<NamedValues.Value> names =
         values.names().stream().map(it -> new NamedValues.Value(it.name(), it.number())).toList();
-    return names.isEmpty() ? constants(type, path) : NamedValues.ofNumbers(names);
+    return names.isEmpty() ? constants(message.get(), path) : NamedValues.ofNumbers(names);
   }
 
-  private NamedValues constants(String type, String path) {
-    Optional<MessageType> message = catalog.find(type);
+  /** Returns a constant that is the name of one number as that number, and others as they are. */
+  static Bench.Source numbered(Bench.Source source, NamedValues names) {
+    if (names.isText() || !(source instanceof Bench.Constant constant)) {
+      return source;
+    }
+    List<Double> numbers =
+        names.values().stream()
+            .filter(it -> it.name().equals(constant.value()))
+            .map(NamedValues.Value::number)
+            .distinct()
+            .toList();
+    if (numbers.size() != 1) {
+      return source;
+    }
+    double number = numbers.get(0);
+    boolean isWhole = number == Math.rint(number) && Math.abs(number) < 1L << 53;
+    return new Bench.Constant(isWhole ? (Object) (long) number : (Object) number);
+  }
+
+  /** Returns the constants of a message that name values of a field. */
+  private static NamedValues constants(Optional<MessageType> message, String path) {
     List<MessageType.Constant> found =
         message.map(it -> FieldConstants.of(it, path)).orElse(List.of());
     boolean isText = found.stream().anyMatch(it -> it.type().kind() == FieldType.Kind.STRING);

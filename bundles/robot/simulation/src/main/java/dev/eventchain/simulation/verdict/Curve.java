@@ -16,10 +16,10 @@ import java.util.function.ToDoubleFunction;
 public record Curve(
     String name, String unit, String absence, List<Double> values, List<Name> names) {
 
-  /** What conversions of units add, as a part of a number. */
+  /** The error of a conversion of units, as a part of the number. */
   private static final double ROUNDING = 1e-12;
 
-  /** The most that they may add: whole numbers have others beside them. */
+  /** The most that the error may be: whole numbers have others beside them. */
   private static final double MOST_ROUNDING = 0.25;
 
   /** A value with a name. */

@@ -1,7 +1,10 @@
 package dev.eventchain.simulation.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
@@ -22,18 +25,21 @@ import org.junit.jupiter.params.provider.CsvSource;
 class FieldNamesTest {
 
   private static final OptionalDouble NONE = OptionalDouble.empty();
-  private static final Bench BENCH =
-      Bench.parse(
-          SourceText.of("bench.yaml", "provides: {}"),
-          List.of(
-              signal("/seat", "std_msgs/msg/String", new Values(NONE, NONE, List.of("A", "B"))),
-              signal(
-                  "/gear",
-                  "std_msgs/msg/UInt8",
-                  new Values(NONE, NONE, List.of(), List.of(new NamedNumber("Reverse", 7)))),
-              signal("/free", "std_msgs/msg/String", Values.ANY),
-              signal("/door", "demo_msgs/msg/GarageGate", Values.ANY)),
-          MessageCatalog.of(List.of(Path.of("src/test/resources/benches/msg"))));
+  private static final Bench BENCH = bench("provides: {}");
+
+  private static Bench bench(String text) {
+    return Bench.parse(
+        SourceText.of("bench.yaml", text),
+        List.of(
+            signal("/seat", "std_msgs/msg/String", new Values(NONE, NONE, List.of("A", "B"))),
+            signal(
+                "/gear",
+                "std_msgs/msg/UInt8",
+                new Values(NONE, NONE, List.of(), List.of(new NamedNumber("Reverse", 7)))),
+            signal("/free", "std_msgs/msg/String", Values.ANY),
+            signal("/door", "demo_msgs/msg/GarageGate", Values.ANY)),
+        MessageCatalog.of(List.of(Path.of("src/test/resources/benches/msg"))));
+  }
 
   private static Signal signal(String topic, String type, Values values) {
     Field field = new Field("data", "", "", values, SourceLocation.NONE);
@@ -59,6 +65,35 @@ class FieldNamesTest {
   void namesAreThoseOfTheCatalogueOrOfTheMessage(String signal, String expected) {
     String found = BENCH.signals().find(signal).map(it -> described(it.named())).orElse("unknown");
     assertEquals(expected, found);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "/gear, std_msgs/msg/UInt8, data, Reverse, 7",
+    "/door, demo_msgs/msg/GarageGate, state, STATE_OPEN, 1",
+    "/door, demo_msgs/msg/GarageGate, colour, green, green"
+  })
+  void aConstantOfTheBenchMayBeAName(
+      String topic, String type, String path, String name, String value) {
+    Bench bench = bench(constant(topic, type, path, name));
+    Bench.Source source = bench.provided().get(topic).fields().get(0).source();
+    assertEquals(value, ((Bench.Constant) source).value().toString());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"/gear, std_msgs/msg/UInt8, data, Revers, Reverse"})
+  void aNameThatTheFieldDoesNotHaveIsRefused(
+      String topic, String type, String path, String name, String meant) {
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> bench(constant(topic, type, path, name)));
+    Diagnostic finding = refused.diagnostics().get(0);
+    assertEquals("bench.value.type", finding.id());
+    assertEquals("Did you mean `" + meant + "`?", finding.hint());
+  }
+
+  private static String constant(String topic, String type, String path, String name) {
+    return "provides: {%s: {type: %s, rate_hz: 10, fields: {%s: {constant: %s}}}}"
+        .formatted(topic, type, path, name);
   }
 
   private static String described(NamedValues names) {
