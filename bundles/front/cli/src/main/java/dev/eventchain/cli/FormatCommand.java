@@ -1,14 +1,12 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.cli.console.Console;
-import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.format.Formatting;
 import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -63,13 +61,16 @@ final class FormatCommand extends ProjectCommand {
       throw wrongUsage("an indentation has from 1 to " + WIDEST + " columns: --indent 4");
     }
     List<Path> named = inputs.isEmpty() ? List.of(here()) : inputs;
-    Optional<ProjectFolder> project = Formatting.project(named);
-    Suppressions suppressions = project.map(this::suppressions).orElseGet(this::suppressions);
     Formatting.Result result = Formatting.of(named, indent, !check);
     result.changed().forEach(file -> print("formatted " + file));
-    Coverage coverage =
-        new Coverage(result.files().stream().map(Path::toString).toList(), 0, List.of());
-    return Outcome.of(coverage, result.found(), suppressions);
+    Suppressions outside = suppressions();
+    return Formatting.outcome(
+        result,
+        project ->
+            project
+                .filter(it -> suppressionsFile().isEmpty())
+                .map(this::suppressions)
+                .orElse(outside));
   }
 
   /** Returns the project in the current folder, or around it, seen from there. */

@@ -216,6 +216,11 @@ abstract class EventchainMojo extends AbstractMojo {
     return Duration.ofSeconds(timeLimit);
   }
 
+  /** Returns whether the pom names suppressions, which then count for all files. */
+  final boolean namesSuppressions() {
+    return suppressions != null;
+  }
+
   /** Returns the suppressions in the module's folder, or that the pom names. */
   final Suppressions suppressions() {
     Path usual = Places.shown(new File(basedir(), ProjectLayout.SUPPRESSIONS));

@@ -1,12 +1,13 @@
 package dev.eventchain.maven;
 
-import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.format.Formatting;
+import dev.eventchain.project.ProjectFolder;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.apache.maven.plugin.MojoFailureException;
 import org.apache.maven.plugins.annotations.LifecyclePhase;
 import org.apache.maven.plugins.annotations.Mojo;
@@ -47,12 +48,14 @@ public final class FormatMojo extends EventchainMojo {
     List<Path> named = Places.shown(files.isEmpty() ? List.of(basedir()) : files);
     Formatting.Result result = Formatting.of(named, indent, !check);
     result.changed().forEach(file -> getLog().info("Formatted " + file));
-    Coverage coverage =
-        new Coverage(result.files().stream().map(Path::toString).toList(), 0, List.of());
-    Suppressions suppressions =
-        Formatting.project(named)
-            .map(project -> suppressions(project.suppressions()))
-            .orElseGet(this::suppressions);
-    return Outcome.of(coverage, result.found(), suppressions);
+    Suppressions ofModule = suppressions();
+    return Formatting.outcome(
+        result,
+        project ->
+            project
+                .filter(it -> !namesSuppressions())
+                .flatMap(ProjectFolder::suppressions)
+                .map(file -> suppressions(Optional.of(file)))
+                .orElse(ofModule));
   }
 }

@@ -1,18 +1,25 @@
 package dev.eventchain.pipeline.format;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.documents.AtomicFile;
+import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * Formatting of constraints, templates and YAML, which never changes what they say, as editors have
@@ -58,15 +65,52 @@ public final class Formatting {
     return new Result(files, formatting.changed, formatting.found);
   }
 
-  /** Returns the project that all files and folders belong to, if they belong to one. */
-  public static Optional<ProjectFolder> project(List<Path> named) {
-    List<Optional<Path>> folders =
-        named.stream()
-            .map(FormattedFiles::project)
-            .map(it -> it.map(each -> each.folder().toAbsolutePath().normalize()))
-            .distinct()
-            .toList();
-    return folders.size() == 1 ? FormattedFiles.project(named.get(0)) : Optional.empty();
+  /**
+   * Returns the outcome, in which each finding is accepted by the suppressions of its own project.
+   *
+   * @param suppressions those of a project, or of files of no project; the same object for all of
+   *     them if somebody has named it
+   */
+  public static Outcome outcome(
+      Result result, Function<Optional<ProjectFolder>, Suppressions> suppressions) {
+    Map<Optional<Path>, Suppressions> known = new HashMap<>();
+    Function<String, Suppressions> of =
+        file ->
+            FormattedFiles.project(Path.of(file))
+                .map(
+                    it ->
+                        known.computeIfAbsent(place(it), to -> suppressions.apply(Optional.of(it))))
+                .orElseGet(
+                    () ->
+                        known.computeIfAbsent(
+                            Optional.empty(), to -> suppressions.apply(Optional.empty())));
+    Map<Suppressions, Part> parts = new LinkedHashMap<>();
+    for (Path file : result.files()) {
+      parts.computeIfAbsent(of.apply(file.toString()), Part::new).files.add(file.toString());
+    }
+    for (Diagnostic each : result.found()) {
+      parts.computeIfAbsent(of.apply(each.location().file()), Part::new).found.add(each);
+    }
+    return parts.values().stream()
+        .map(Part::outcome)
+        .reduce(Outcome::and)
+        .orElseGet(() -> Outcome.of(Coverage.NONE, List.of(), Suppressions.NONE));
+  }
+
+  private static Optional<Path> place(ProjectFolder project) {
+    return Optional.of(project.folder().toAbsolutePath().normalize());
+  }
+
+  /** Files under the same suppressions, and what was found about them. */
+  private record Part(Suppressions suppressions, List<String> files, List<Diagnostic> found) {
+
+    Part(Suppressions suppressions) {
+      this(suppressions, new ArrayList<>(), new ArrayList<>());
+    }
+
+    Outcome outcome() {
+      return Outcome.of(new Coverage(files, 0, List.of()), found, suppressions);
+    }
   }
 
   private void format(Path file) {

@@ -7,13 +7,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.fixtures.Repository;
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.LocalDate;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -257,15 +261,45 @@ class FormattingTest {
     assertEquals(FORMATTED, Files.readString(folder.resolve("r299.ocl")));
   }
 
+  /** As a hook names the files of a commit. */
   @Test
-  void theProjectIsThatOfAllFiles() throws IOException {
-    Path settings = file("p/eventchain.yaml", "name: x\n");
-    Path rules = file("p/a/b.ocl", RULES);
-    Path project = settings.getParent();
-    Path other = file("q.ocl", RULES);
+  void eachFileIsUnderTheSuppressionsOfItsOwnProject() throws IOException {
+    for (String name : List.of("p", "q")) {
+      file(name + "/eventchain.yaml", "name: x\n");
+    }
+    List<Path> all =
+        List.of(
+            file("p/a.ocl", RULES),
+            file("q/a.ocl", RULES),
+            file("a.ocl", RULES),
+            file("p/b/c.ocl", RULES));
+    Formatting.Result result = Formatting.of(all, 2, false);
+    Suppressions accepting = new Suppressions(List.of(entry("a.ocl")), LocalDate.EPOCH);
+    Outcome own =
+        Formatting.outcome(
+            result, of -> of.filter(this::isFirst).map(it -> accepting).orElse(Suppressions.NONE));
+    assertEquals(1, own.exitCode());
+    assertEquals(4, own.coverage().files().size());
     assertEquals(
-        Optional.of(project), Formatting.project(List.of(rules, project)).map(it -> it.folder()));
-    assertEquals(Optional.empty(), Formatting.project(List.of(rules, other)));
-    assertEquals(Optional.empty(), Formatting.project(List.of(other)).map(it -> it.folder()));
+        List.of("p/a.ocl"), own.suppressed().stream().map(it -> shown(it.finding())).toList());
+    assertEquals(
+        List.of("p/b/c.ocl", "q/a.ocl", "a.ocl"),
+        own.diagnostics().stream().map(this::shown).toList());
+    assertEquals(3, Formatting.outcome(result, of -> accepting).suppressed().size());
+    Outcome nothing = Formatting.outcome(Formatting.of(List.of(), 2, false), of -> accepting);
+    assertEquals(0, nothing.exitCode());
+  }
+
+  private boolean isFirst(ProjectFolder project) {
+    return project.folder().endsWith("p");
+  }
+
+  private String shown(Diagnostic finding) {
+    return folder.relativize(Path.of(finding.location().file())).toString();
+  }
+
+  private static Suppressions.Entry entry(String file) {
+    return new Suppressions.Entry(
+        "format.differs", "", "", file, "", "as it was", LocalDate.MAX, SourceLocation.NONE);
   }
 }
