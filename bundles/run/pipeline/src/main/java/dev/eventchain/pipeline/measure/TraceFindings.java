@@ -56,7 +56,7 @@ final class TraceFindings {
       findings.nothing(trace);
       return findings.found;
     }
-    findings.missing();
+    findings.missing(trace);
     findings.idle();
     findings.messages();
     model.chain().getSoftware().forEach(findings::times);
@@ -105,7 +105,8 @@ final class TraceFindings {
                 "Start the trace before the nodes; each has to be called like its component, as the generated ones are."));
   }
 
-  private void missing() {
+  private void missing(RecordedTrace read) {
+    String others = others(read);
     for (SoftwareNode node : model.chain().getSoftware()) {
       String reason = measured.missing().get(node.getName());
       if (reason != null) {
@@ -114,7 +115,9 @@ final class TraceFindings {
                     MeasureRules.TRACE_NODE_MISSING,
                     "'%s' is not in the trace: %s.".formatted(node.getName(), reason),
                     model.locate(node))
-                .withHint("Trace the machine and the process in which it runs, from its start."));
+                .withHint(
+                    "Trace the machine and the process in which it runs, from its start."
+                        + others));
       }
     }
     for (TraceMeasurement.Component each : measured.components()) {
@@ -129,6 +132,16 @@ final class TraceFindings {
                     "Trace rcl, rclcpp and rmw while the node works, and give its topics the names of the model."));
       }
     }
+  }
+
+  /** Returns what to say of the nodes that are no component, one of which may have another name. */
+  private String others(RecordedTrace read) {
+    List<String> nodes = new ArrayList<>(read.nodes());
+    measured.components().forEach(each -> nodes.remove(each.node()));
+    return nodes.isEmpty()
+        ? ""
+        : " The trace also has %s: if that is the component, start it under its name (--ros-args -r __node:=NAME)."
+            .formatted(Printable.line(String.join(", ", nodes)));
   }
 
   /** Reports that no component did anything: without constraints, nothing else is an error then. */

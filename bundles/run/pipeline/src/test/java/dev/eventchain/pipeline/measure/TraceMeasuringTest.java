@@ -194,6 +194,8 @@ class TraceMeasuringTest {
   @Test
   void aComponentThatIsNotThereLeavesTheConstraintUnmeasured() throws IOException {
     change(trace, "node_name: brake_request", "node_name: other");
+    String hint = measure().files().diagnostics().get(0).hint();
+    assertTrue(hint.contains("The trace also has /other, /radar_driver: if"), hint);
     List<String> found = found();
     assertEquals(2, found.size(), found.toString());
     assertEquals(
