@@ -124,15 +124,22 @@ public final class RecordedTrace {
         hosts.put(trace, host.group(1));
       } else if (discard.matches()) {
         discard(discard);
-      } else if (line.startsWith("Stream beginning")) {
-        begun++;
-      } else if (line.startsWith("Stream end")) {
-        ended++;
-      } else if (line.contains(NO_LOSSES)) {
-        lost.add("a stream does not count them");
+      } else {
+        stream(line);
       }
     }
     message.clear();
+  }
+
+  /** Reads a line about a stream, if it is one. */
+  private void stream(String line) {
+    if (line.startsWith("Stream beginning")) {
+      begun++;
+    } else if (line.startsWith("Stream end")) {
+      ended++;
+    } else if (line.contains(NO_LOSSES)) {
+      lost.add("a stream does not count them");
+    }
   }
 
   private void discard(Matcher discard) {
