@@ -1,6 +1,5 @@
 package dev.eventchain.lsp.project;
 
-import dev.eventchain.lsp.project.ProjectSchema.Key;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -37,7 +36,7 @@ final class SchemaSnippets {
     SchemaSnippets snippets = new SchemaSnippets(schema, " ".repeat(place.extra()));
     List<Snippet> found = new ArrayList<>();
     for (Set<String> each : schema.needs(place.path(), place.keys())) {
-      List<Key> missing =
+      List<ProjectSchema.Key> missing =
           schema.keys(place.path()).stream()
               .filter(it -> each.contains(it.name()) && !place.keys().contains(it.name()))
               .toList();
@@ -45,7 +44,7 @@ final class SchemaSnippets {
         found.add(snippets.mapping(place.path(), missing));
       }
     }
-    for (Key each : schema.keys(place.path())) {
+    for (ProjectSchema.Key each : schema.keys(place.path())) {
       if (!place.keys().contains(each.name()) && (each.isOf("object") || each.isOf("array"))) {
         snippets.places = 0;
         String text = snippets.entry(place.path(), each, snippets.margin);
@@ -57,14 +56,14 @@ final class SchemaSnippets {
     return found;
   }
 
-  private Snippet mapping(List<String> path, List<Key> keys) {
+  private Snippet mapping(List<String> path, List<ProjectSchema.Key> keys) {
     places = 0;
     List<String> lines = keys.stream().map(each -> entry(path, each, margin)).toList();
-    String label = String.join(", ", keys.stream().map(Key::name).toList());
+    String label = String.join(", ", keys.stream().map(ProjectSchema.Key::name).toList());
     return new Snippet(label, String.join("\n" + margin, lines));
   }
 
-  private String entry(List<String> path, Key key, String indent) {
+  private String entry(List<String> path, ProjectSchema.Key key, String indent) {
     return key.name() + ":" + value(below(path, key.name()), key, indent);
   }
 
@@ -75,7 +74,7 @@ final class SchemaSnippets {
   }
 
   /** Returns the value at a path, behind the colon of its key or the dash of its list. */
-  private String value(List<String> path, Key key, String indent) {
+  private String value(List<String> path, ProjectSchema.Key key, String indent) {
     List<String> values = ProjectSchema.values(key.values());
     if (values.size() == 1 && key.values().size() == 1) {
       return " " + values.get(0);
@@ -94,18 +93,18 @@ final class SchemaSnippets {
   /** Returns what a mapping or value needs, each key in a line of its own. */
   private String content(List<String> path, String indent) {
     Set<String> needed = schema.needs(path, Set.of()).get(0);
-    List<Key> keys =
+    List<ProjectSchema.Key> keys =
         schema.keys(path).stream().filter(each -> needed.contains(each.name())).toList();
     StringBuilder text = new StringBuilder();
     keys.forEach(each -> text.append('\n').append(indent).append(entry(path, each, indent)));
     if (!text.isEmpty()) {
       return text.toString();
     }
-    Key value = new Key("", false, schema.at(path));
+    ProjectSchema.Key value = new ProjectSchema.Key("", false, schema.at(path));
     List<String> any = below(path, YamlPlace.ANY);
     boolean isNamed = schema.keys(path).isEmpty() && !schema.at(any).isEmpty();
     if (isNamed && !value.isScalar()) {
-      Key named = new Key(place("name"), false, schema.at(any));
+      ProjectSchema.Key named = new ProjectSchema.Key(place("name"), false, schema.at(any));
       return "\n" + indent + named.name() + ":" + value(any, named, indent);
     }
     return value.isScalar() ? value(path, value, indent) : "\n" + indent + place("");

@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -230,7 +231,8 @@ public final class ChainLatency {
    *
    * @param answers the times of outputs by those of their stimuli
    */
-  private static Unanswered unanswered(List<Long> times, TreeMap<Long, Long> answers, long end) {
+  private static Unanswered unanswered(
+      List<Long> times, NavigableMap<Long, Long> answers, long end) {
     TreeMap<Long, Long> earliest = new TreeMap<>();
     long next = Long.MAX_VALUE;
     for (Map.Entry<Long, Long> answer : answers.descendingMap().entrySet()) {
