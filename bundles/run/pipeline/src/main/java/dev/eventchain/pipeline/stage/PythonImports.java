@@ -12,7 +12,10 @@ import java.util.regex.Pattern;
 /** Imports in the text of a Python file, which is not run and may have errors. */
 public final class PythonImports {
 
-  /** {@code sys.stdlib_module_names} of Python 3.10 to 3.14, without names that start with "_". */
+  /**
+   * {@code sys.stdlib_module_names} of Python 3.10 to 3.14, without names that start with "_" but
+   * for {@code __future__}, which programs import, too.
+   */
   private static final Set<String> STANDARD_LIBRARY =
       Set.copyOf(
           Arrays.asList(
@@ -37,7 +40,7 @@ public final class PythonImports {
               termios textwrap this threading time timeit tkinter token tokenize tomllib trace
               traceback tracemalloc tty turtle turtledemo types typing unicodedata unittest urllib
               uu uuid venv warnings wave weakref webbrowser winreg winsound wsgiref xdrlib xml
-              xmlrpc zipapp zipfile zipimport zlib zoneinfo
+              xmlrpc zipapp zipfile zipimport zlib zoneinfo __future__
               """
                   .strip()
                   .split("\\s+")));

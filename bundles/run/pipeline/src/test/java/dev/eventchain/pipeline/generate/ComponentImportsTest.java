@@ -47,6 +47,7 @@ class ComponentImportsTest {
         "",
         "import math",
         "from collections.abc import Sequence",
+        "from __future__ import annotations",
         "from . import numpy",
         "from .numpy import array",
         "# import numpy",
