@@ -29,7 +29,7 @@ final class ArxmlPdus {
   private static final Set<String> PLAIN = Set.of("I-SIGNAL-I-PDU", "NM-PDU");
 
   /** Number of the first message without an identifier, beyond those of all buses. */
-  private static final long WITHOUT_IDENTIFIER = 1L << 62 | NetworkMessage.EXTENDED;
+  private static final long WITHOUT_IDENTIFIER = (1L << 62) | NetworkMessage.EXTENDED;
 
   private final ArxmlTree tree;
   private final ArxmlUnread unread;

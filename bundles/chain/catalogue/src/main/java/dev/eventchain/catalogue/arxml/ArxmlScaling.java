@@ -72,7 +72,7 @@ record ArxmlScaling(
         }
       }
       boolean nothing = lines.isEmpty() && ofTexts.isEmpty();
-      if (isCurve || nothing && !category.equals("IDENTICAL") || !isOneLine()) {
+      if (isCurve || (nothing && !category.equals("IDENTICAL")) || !isOneLine()) {
         unread.note(ArxmlUnread.Kind.CURVE, method.path(), method.location());
         return Optional.empty();
       }

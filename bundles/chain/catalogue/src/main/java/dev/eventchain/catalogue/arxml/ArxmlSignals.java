@@ -234,12 +234,12 @@ final class ArxmlSignals {
       return Optional.of(ArxmlScaling.PLAIN);
     }
     String key = method.get().path() + " " + encoding.step();
-    Optional<ArxmlScaling> known = scalings.get(key);
-    if (known == null) {
-      known = ArxmlScaling.of(method.get(), encoding.step(), unread);
-      scalings.put(key, known);
+    if (!scalings.containsKey(key)) {
+      // A method that cannot be read is reported for the first of its signals.
+      scalings.put(key, Optional.empty());
+      scalings.put(key, ArxmlScaling.of(method.get(), encoding.step(), unread));
     }
-    return known;
+    return scalings.get(key);
   }
 
   /** Returns the unit of what a signal stands for, or else that of its method. */

@@ -61,7 +61,7 @@ final class ArxmlTree {
   private boolean isNew(ArxmlElement element) {
     ArxmlElement other = byPath.putIfAbsent(element.path(), element);
     boolean isPackage = element.tag().equals(PACKAGE);
-    if (other == null || isPackage && other.tag().equals(PACKAGE)) {
+    if (other == null || (isPackage && other.tag().equals(PACKAGE))) {
       return true;
     }
     boolean sameFile = element.location().file().equals(other.location().file());
@@ -139,7 +139,7 @@ final class ArxmlTree {
       return Optional.empty();
     }
     boolean other = !wanted.isEmpty() && !wanted.equals(target.tag()) && !GENERAL.contains(wanted);
-    if (other || !kinds.isEmpty() && !kinds.contains(target.tag())) {
+    if (other || (!kinds.isEmpty() && !kinds.contains(target.tag()))) {
       String kind = other ? wanted : String.join(" or ", kinds.stream().sorted().toList());
       report(reference, "'%s' is of the kind %s, not %s.".formatted(path, target.tag(), kind), "");
       return Optional.empty();

@@ -75,7 +75,7 @@ class ArxmlReaderTest {
     String text = RandomDescription.multiplexed(new Random(1));
     int count = 0;
     for (int from = text.indexOf("<AR-PACKAGE>"); from >= 0; from = text.indexOf('<', from + 1)) {
-      String tag = text.substring(from + 1, text.indexOf('>', from)).split(" ")[0];
+      String tag = text.substring(from + 1, text.indexOf('>', from)).split(" ", 2)[0];
       int to = text.indexOf("</" + tag + ">", from);
       if (!tag.startsWith("/") && to > 0) {
         String without = text.substring(0, from) + text.substring(to + tag.length() + 3);

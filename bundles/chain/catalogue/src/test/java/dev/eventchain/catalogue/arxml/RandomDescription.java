@@ -166,7 +166,7 @@ final class RandomDescription {
   }
 
   private static String line(String numbers) {
-    String[] each = numbers.split(" ");
+    String[] each = numbers.split(" ", 3);
     return element(
         "COMPU-RATIONAL-COEFFS",
         element("COMPU-NUMERATOR", element("V", each[0]) + element("V", each[1]))
