@@ -92,6 +92,23 @@ class ProjectValidationTest {
     assertTrue(foundOnce().contains("lamps.dbc:1 catalogue.node"), foundOnce()::toString);
   }
 
+  /** The network may be a description of AUTOSAR, in which ports say who sends. */
+  @Test
+  void softwareSendsWhatItsEcuSends() throws IOException {
+    for (String file : List.of("model/chain.xmi", "software-base/components.json")) {
+      project.replace(file, "/cluster/collision_warning", "/can/Lamps/Collision");
+    }
+    Path lamps = Path.of("src/test/resources/lamps.arxml");
+    project.write("lamps.arxml", Files.readString(lamps));
+    String settings = Files.readString(project.file("eventchain.yaml"));
+    project.write("eventchain.yaml", settings + "catalogue: {file: lamps.arxml, node: Warning}\n");
+    assertEquals(List.of(), foundOnce());
+    project.write("eventchain.yaml", settings + "catalogue: {file: lamps.arxml, node: Radar}\n");
+    assertTrue(
+        foundOnce().contains("model/chain.xmi:36 contract.signal.direction"),
+        foundOnce()::toString);
+  }
+
   private List<String> foundOnce() {
     return ProjectValidation.validate(project.opened(), project.output(), LIMIT)
         .diagnostics()
