@@ -102,6 +102,22 @@ final class Evidence {
                 + " is anything but 0 or false"));
   }
 
+  /**
+   * Returns the outcome of a criterion; one on impacts is tested although nothing came into the
+   * ego's way, if something does without the software: who stops before a turn across the way of an
+   * oncoming vehicle never has it ahead.
+   */
+  Outcome withAvoided(Expectation criterion, ScenarioRun run, Outcome outcome) {
+    boolean avoided =
+        criterion instanceof Criterion named
+            && (named.kind() == CriterionKind.NO_IMPACT
+                || named.kind() == CriterionKind.MAXIMAL_IMPACT_SPEED)
+            && !outcome.tested()
+            && outcome.detail().equals(Criterion.NOTHING_AHEAD)
+            && without(run).traces().stream().anyMatch(it -> it.impactSpeed().isPresent());
+    return avoided ? new Outcome(true, "no impact, but one without the software") : outcome;
+  }
+
   private Finding find(Expectation criterion, ScenarioRun run) {
     if (criterion instanceof FormulaCriterion formula) {
       return find(formula, run);

@@ -194,7 +194,7 @@ public final class ScenarioJudge {
     if (!worked && !run.isOverrun()) {
       return result(run.scenario(), criterion, Outcome.untested("not all components worked"));
     }
-    Outcome outcome = withoutEvidence(criterion, run);
+    Outcome outcome = evidence.withAvoided(criterion, run, withoutEvidence(criterion, run));
     CriterionResult result =
         result(
             run.scenario(),

@@ -211,6 +211,40 @@ class ScenarioJudgeTest {
         .toList();
   }
 
+  /** Who stops before it turns across the way of an oncoming car never has it ahead. */
+  @Test
+  void anImpactThatComesWithoutTheSoftwareIsAvoided() throws Exception {
+    assertEquals(
+        List.of("no impact, but one without the software"), ofOncoming("no_impact: true", 3.5));
+    assertEquals(
+        List.of("no impact, but one without the software"),
+        ofOncoming("maximal_impact_speed_kmh: 20", 3.5));
+    assertEquals(List.of("nothing ahead"), ofOncoming("no_impact: true", 0));
+  }
+
+  /** Judges a car that stops at once, and would move aside to where another one comes. */
+  private List<String> ofOncoming(String criterion, double aside) throws Exception {
+    Scenario read =
+        Scenario.parse(
+            SourceText.of(
+                "s.yaml",
+                """
+                name: oncoming
+                title: An oncoming car
+                requirements: [AEB-1]
+                duration_s: 8
+                ego: {speed_kmh: 50, maneuvers: [{at_s: 1, lateral_offset_m: %s}]}
+                actors: [{gap_m: 120, speed_kmh: 50, lateral_offset_m: 3.5, heading_deg: 180}]
+                accept: {%s}
+                """
+                    .formatted(aside, criterion)),
+            Bench.carla());
+    return judge(read).criteria(braking(read), true).stream()
+        .limit(1)
+        .map(CriterionResult::measured)
+        .toList();
+  }
+
   private static Scenario hit(String criteria) {
     String scenario =
         """
