@@ -241,6 +241,16 @@ class OpenScenarioTest {
   /** As above. */
   @InTurn
   @Test
+  void theSuiteOfEuroNcapHasCarsAtJunctions() {
+    simulate("--suite", "euro-ncap-2026-junction")
+        .expect(1)
+        .says("euro-ncap-2026-junction-ccftap: 9 cases: 8 passed, 1 failed")
+        .says("euro-ncap-2026-junction-cccscp: 50 cases: 0 passed, 50 failed");
+  }
+
+  /** As above. */
+  @InTurn
+  @Test
   void theSuiteOfEuroNcapHasPedestriansAndBicyclists() {
     simulate("--suite", "euro-ncap-2023-vru")
         .expect(1)
