@@ -246,7 +246,8 @@ class OpenScenarioTest {
         .expect(1)
         .says("euro-ncap-2026-junction-ccftap: 9 cases: 8 passed, 1 failed")
         .says("euro-ncap-2026-junction-cccscp: 50 cases: 0 passed, 50 failed")
-        .says("euro-ncap-2026-junction-turns_in_a_gap: 8 cases: 7 passed, 1 failed");
+        .says("euro-ncap-2026-junction-turns_in_a_gap: 8 cases: 7 passed, 1 failed")
+        .says("euro-ncap-2026-junction-crossed_before: 12 cases: 12 passed");
   }
 
   /** As above. */
