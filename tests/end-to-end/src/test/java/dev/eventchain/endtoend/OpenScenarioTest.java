@@ -235,6 +235,7 @@ class OpenScenarioTest {
     simulate("--suite", "un-r152-pedestrian")
         .expect(1)
         .says("un-r152-pedestrian-crossing: 9 cases: 6 passed, 3 failed")
+        .says("un-r152-pedestrian-crossing_01: 10 cases: 2 passed, 8 failed")
         .says("un-r152-pedestrian-beside: 6 cases: 6 passed");
   }
 
