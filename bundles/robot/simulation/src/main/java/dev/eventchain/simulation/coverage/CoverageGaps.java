@@ -19,9 +19,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Gaps in what the scenarios have shown of the signals of a chain. Left out are signals of which nobody
- * would expect more: outputs that neither a component nor a formula reads, what a sensor says of
- * itself, and signals of components that no requirement is about.
+ * Gaps in what the scenarios have shown of the signals of a chain. Left out are signals of which
+ * nobody would expect more: outputs that neither a component nor a formula reads, what a sensor
+ * says of itself, and signals of components that no requirement is about.
  */
 final class CoverageGaps {
 

@@ -18,8 +18,8 @@ import java.util.OptionalLong;
 import java.util.stream.Collectors;
 
 /**
- * Gaps in what the scenarios show of the signals of a chain, as information beside a verdict that passed:
- * software that does it wrong would pass as well.
+ * Gaps in what the scenarios show of the signals of a chain, as information beside a verdict that
+ * passed: software that does it wrong would pass as well.
  */
 final class UnshownSignals {
 
