@@ -64,9 +64,11 @@ final class TextKinds {
     return REQUIRED.matcher(text).find();
   }
 
-  /** Returns whether an id begins with a usual name, and says not that it is of a requirement. */
+  /**
+   * Returns whether an id begins with a usual name and does not end with a word for requirements.
+   */
   static boolean isName(String id) {
-    String[] words = kind(id).toLowerCase(Locale.ROOT).split("[-_./]");
+    String[] words = kind(id).toLowerCase(Locale.ROOT).split("[-_./]", -1);
     return NAMES.contains(words[0]) && !OF_REQUIREMENTS.matcher(words[words.length - 1]).matches();
   }
 

@@ -14,6 +14,7 @@ import dev.eventchain.simulation.world.VehicleCommand;
 import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -61,7 +62,7 @@ class PlayedTurnTest {
     Road.Place front = world.ego().front();
     Road.Place nearest =
         untouched().stream()
-            .min((one, other) -> Double.compare(distance(one, front), distance(other, front)))
+            .min(Comparator.comparingDouble(place -> distance(place, front)))
             .orElseThrow();
     assertEquals(0, distance(nearest, front), 0.1, () -> "braked after " + seconds + " s");
     assertEquals(nearest.heading(), front.heading(), 0.05, () -> "braked after " + seconds + " s");

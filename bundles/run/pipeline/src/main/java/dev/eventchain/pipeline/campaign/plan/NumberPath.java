@@ -153,6 +153,7 @@ public final class NumberPath {
   }
 
   /** Returns the way from a node to one in it. */
+  @SuppressWarnings("ReferenceEquality") // equal nodes stand in many places
   private static Optional<String> pointer(JsonNode from, JsonNode to) {
     if (from == to) {
       return Optional.of("");
