@@ -83,7 +83,7 @@ final class BenchProposal {
   private final Map<String, Double> rates;
   private final StringBuilder text = new StringBuilder();
 
-  /** What the topics so far drive: a vehicle follows only one of two that drive the same. */
+  /** The actuators that topics drive so far: a vehicle follows one topic for each. */
   private final Set<Actuator> driven = EnumSet.noneOf(Actuator.class);
 
   /** The lines for the first number or Boolean that could not be guessed. */
