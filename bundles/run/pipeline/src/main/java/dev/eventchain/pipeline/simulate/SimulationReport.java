@@ -57,7 +57,7 @@ final class SimulationReport {
         flow.topics().stream().map(SimulationReport::topic).toList(),
         latencies,
         processors,
-        UnshownSignals.table(result),
+        UnshownSignals.of(result).table(),
         untested,
         outcomes,
         strength,

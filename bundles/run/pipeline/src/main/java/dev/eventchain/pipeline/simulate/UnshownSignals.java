@@ -37,9 +37,9 @@ final class UnshownSignals {
     return new UnshownSignals(result.passed() ? result.signals() : List.of());
   }
 
-  /** Returns the values of all signals, for the report. */
-  static List<ShownSignal> table(SimulationResult result) {
-    return result.signals().stream().map(UnshownSignals::shown).toList();
+  /** Returns the values of all signals, for the report; nothing unless every scenario passed. */
+  List<ShownSignal> table() {
+    return signals.stream().map(UnshownSignals::shown).toList();
   }
 
   private static ShownSignal shown(SignalCoverage signal) {

@@ -93,5 +93,6 @@ class UnshownSignalsTest {
     UnshownSignals unshown = UnshownSignals.of(result(false, List.of(lamp("left", TRUE))));
     assertEquals(List.of(), unshown.findings());
     assertEquals(List.of(), unshown.listed());
+    assertEquals(List.of(), unshown.table());
   }
 }
