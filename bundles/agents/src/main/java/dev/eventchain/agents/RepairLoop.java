@@ -18,6 +18,7 @@ import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.Sampling;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
@@ -153,7 +154,8 @@ final class RepairLoop {
     List<Diagnostic> errors =
         attempts.get(attempts.size() - 1).findings().stream().filter(this::isRefused).toList();
     String first = errors.get(0).message().lines().findFirst().orElse("");
-    String others = errors.size() == 1 ? "" : " (and %d more)".formatted(errors.size() - 1);
+    String others =
+        errors.size() == 1 ? "" : String.format(Locale.ROOT, " (and %d more)", errors.size() - 1);
     return "asking again for %s: %s%s".formatted(file, first, others);
   }
 
@@ -173,9 +175,11 @@ final class RepairLoop {
     diagnostics.add(
         Diagnostic.of(
                 AgentRules.ANSWER_REJECTED,
-                ("The model gave no usable answer in %d attempts; this is what is wrong with"
-                        + " the last one.")
-                    .formatted(attempts.size()),
+                String.format(
+                    Locale.ROOT,
+                    "The model gave no usable answer in %d attempts; this is what is wrong with"
+                        + " the last one.",
+                    attempts.size()),
                 SourceLocation.of(file))
             .withHint("Ask another model, allow more repairs, or make the requirements clearer."));
     diagnostics.addAll(attempts.get(attempts.size() - 1).findings());

@@ -11,6 +11,7 @@ import dev.eventchain.sandbox.PythonEnvironment;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.TreeMap;
@@ -146,14 +147,15 @@ class MutationTest {
         GoodAnswers.changedLines(
             SourceText.of("before", answer.text()), SourceText.of("after", changed));
     return Optional.of(
-        "%s: '%s' (seed %d) is %s, not %s: %s%nThe change:%n%s"
-            .formatted(
-                answer.name(),
-                mutation.name(),
-                seed,
-                result.outcome(),
-                mutation.outcome(),
-                result.details().stream().limit(5).toList(),
-                String.join("\n", change.stream().limit(12).toList())));
+        String.format(
+            Locale.ROOT,
+            "%s: '%s' (seed %d) is %s, not %s: %s%nThe change:%n%s",
+            answer.name(),
+            mutation.name(),
+            seed,
+            result.outcome(),
+            mutation.outcome(),
+            result.details().stream().limit(5).toList(),
+            String.join("\n", change.stream().limit(12).toList())));
   }
 }

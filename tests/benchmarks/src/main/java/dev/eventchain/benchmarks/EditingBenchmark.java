@@ -71,18 +71,22 @@ public final class EditingBenchmark {
     for (int i = 0; i < 1_250; i++) {
       text.append("context EClass\n");
       if (i % 8 == 0) {
-        text.append("  def: many%d : Boolean = self.eAllReferences->size() > %d\n".formatted(i, i));
+        text.append(
+            String.format(
+                Locale.ROOT, "  def: many%d : Boolean = self.eAllReferences->size() > %d\n", i, i));
       }
       text.append(
-          """
+          String.format(
+              Locale.ROOT,
+              """
             inv Rule%1$d:
               let all : OrderedSet(EStructuralFeature) = self.eAllStructuralFeatures in
               all->forAll(f | f.name <> null and f.name.size() > %1$d
                 implies f.eAnnotations->isEmpty())
 
             -- Rule %1$d ends here.
-          """
-              .formatted(i));
+          """,
+              i));
     }
     return text.toString();
   }
@@ -91,14 +95,18 @@ public final class EditingBenchmark {
     StringBuilder text = new StringBuilder("[module main('" + EcorePackage.eNS_URI + "')]\n");
     for (int i = 0; i < 170; i++) {
       text.append(
-          "[query public wide%1$d(c : EClass) : Boolean = c.eAttributes->size() > %1$d /]\n"
-              .formatted(i));
+          String.format(
+              Locale.ROOT,
+              "[query public wide%1$d(c : EClass) : Boolean = c.eAttributes->size() > %1$d /]\n",
+              i));
     }
     for (int i = 0; i < 200; i++) {
-      text.append("[template public page%d(c : EClass)]\n".formatted(i));
+      text.append(String.format(Locale.ROOT, "[template public page%d(c : EClass)]\n", i));
       for (int j = 0; j < 6; j++) {
         text.append(
-            """
+            String.format(
+                Locale.ROOT,
+                """
             # [c.name/]
             [for (f | c.eAllStructuralFeatures)]
             [if (f.name.size() > %2$d and c.wide%1$d())]
@@ -108,8 +116,9 @@ public final class EditingBenchmark {
               [owner.name/]
               [/let]
             [/if]
-            """
-                .formatted((i + j) % 170, j));
+            """,
+                (i + j) % 170,
+                j));
         text.append("[/for]\n");
       }
       text.append("[/template]\n");

@@ -74,8 +74,12 @@ public final class ProcessBenchmark {
     Path model = out.resolve("chain" + nodes + ".xmi");
     Files.write(model, XmiStore.toBytes(ChainModels.sound(nodes)));
     String what =
-        "validate a file of %d nodes, %d data, %.0f MiB"
-            .formatted(nodes, 4 * nodes, Files.size(model) / MEBIBYTE);
+        String.format(
+            Locale.ROOT,
+            "validate a file of %d nodes, %d data, %.0f MiB",
+            nodes,
+            4 * nodes,
+            Files.size(model) / MEBIBYTE);
     measure(
         what, roundsOfLargeFiles, null, "validate", "--ocl", rules.toString(), model.toString());
   }

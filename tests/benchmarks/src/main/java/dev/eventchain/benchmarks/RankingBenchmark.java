@@ -79,7 +79,9 @@ public final class RankingBenchmark {
         points.size());
     for (String method : METHODS) {
       for (int seed = 1; seed <= SEEDS; seed++) {
-        String search = "seed: %d%nsearch: {runs: %d, method: %s}%n".formatted(seed, RUNS, method);
+        String search =
+            String.format(
+                Locale.ROOT, "seed: %d%nsearch: {runs: %d, method: %s}%n", seed, RUNS, method);
         print(method, seed, rows(project, "search", resource("grid.yaml") + search), all);
       }
     }

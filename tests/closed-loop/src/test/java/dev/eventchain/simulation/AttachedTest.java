@@ -33,6 +33,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -237,8 +238,10 @@ class AttachedTest {
             .allMatch(node -> node.getMeasured() == null));
     assertEquals(List.of("simulation.attached.unseen"), ids(result));
     assertEquals(
-        "The nodes were started elsewhere (Cyclone DDS, attached to domain %d): their executions, periods, execution times, latencies and ages of inputs were not measured. Nothing was received on /aeb/time_to_collision, /scan, /vehicle/brake_force."
-            .formatted(domain.number()),
+        String.format(
+            Locale.ROOT,
+            "The nodes were started elsewhere (Cyclone DDS, attached to domain %d): their executions, periods, execution times, latencies and ages of inputs were not measured. Nothing was received on /aeb/time_to_collision, /scan, /vehicle/brake_force.",
+            domain.number()),
         result.diagnostics().get(0).message());
     assertEquals("Cyclone DDS, attached to domain " + domain.number(), result.host().driver());
     assertEquals(

@@ -14,6 +14,7 @@ import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -84,7 +85,10 @@ class ValueLatencyTest {
     assertEquals(Severity.WARNING, finding.severity());
     assertEquals(DECISION, finding.location().element());
     assertTrue(
-        finding.message().contains("is %.0f ms from 'time_to_collision'".formatted(4 * period)),
+        finding
+            .message()
+            .contains(
+                String.format(Locale.ROOT, "is %.0f ms from 'time_to_collision'", 4 * period)),
         finding.message());
   }
 }

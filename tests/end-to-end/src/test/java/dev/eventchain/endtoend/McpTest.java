@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -60,10 +61,15 @@ class McpTest {
 
     void call(int id, String tool, String arguments) throws IOException {
       send(
-          """
+          String.format(
+              Locale.ROOT,
+              """
           {"jsonrpc": "2.0", "id": %d, "method": "tools/call", "params": {"name": "%s", "arguments": %s,\
-           "_meta": {"progressToken": %d}}}"""
-              .formatted(id, tool, arguments, id));
+           "_meta": {"progressToken": %d}}}""",
+              id,
+              tool,
+              arguments,
+              id));
     }
 
     JsonNode next() throws IOException {

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
@@ -178,7 +179,9 @@ class ReportInBrowserTest {
     Path around = folder.resolve("around.html");
     Files.writeString(
         around,
-        """
+        String.format(
+            Locale.ROOT,
+            """
         <script>
           onload = () => {
             const page = document.createElement("iframe");
@@ -190,8 +193,9 @@ class ReportInBrowserTest {
             document.body.append(page);
           };
         </script>
-        """
-            .formatted(WIDTH, page.toUri()));
+        """,
+            WIDTH,
+            page.toUri()));
     Matcher height =
         Pattern.compile("<title>height (\\d+)</title>")
             .matcher(ended(browser, "--window-size=1500,1000", around.toUri().toString()));

@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
@@ -120,7 +121,8 @@ class SearchMutantsTest {
   private int runsToTheFirstFailure(String campaign, int seed) {
     try {
       Path file = folder.resolve("search.yaml");
-      String settings = "seed: %d%nsearch: {runs: 200, stop: first_failure}%n".formatted(seed);
+      String settings =
+          String.format(Locale.ROOT, "seed: %d%nsearch: {runs: 200, stop: first_failure}%n", seed);
       Files.writeString(file, campaign + settings);
       Program.Ended ended = new Program().run("search", project, file);
       assertFalse(ended.code() > 1, ended::toString);

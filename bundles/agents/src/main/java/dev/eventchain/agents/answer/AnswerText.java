@@ -8,6 +8,7 @@ import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
@@ -104,8 +105,11 @@ public record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problem
   static AnswerText several(AnswerKind kind, String file, int count) {
     return problem(
         AnswerFormRules.ANSWER_SEVERAL,
-        "The answer contains %d different blocks that may be the %s."
-            .formatted(count, kind.description()),
+        String.format(
+            Locale.ROOT,
+            "The answer contains %d different blocks that may be the %s.",
+            count,
+            kind.description()),
         file);
   }
 

@@ -19,6 +19,7 @@ import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -99,7 +100,11 @@ final class ComponentTestsReader {
     test.refuseOthers();
     if (calls.size() > MOST_CALLS || values(calls) > MOST_VALUES) {
       String message =
-          "A test has at most %d calls, with %d values in all.".formatted(MOST_CALLS, MOST_VALUES);
+          String.format(
+              Locale.ROOT,
+              "A test has at most %d calls, with %d values in all.",
+              MOST_CALLS,
+              MOST_VALUES);
       test.find(FORMAT, message, test.location());
       return Optional.empty();
     }

@@ -3,6 +3,7 @@ package dev.eventchain.agents.prompt;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
@@ -36,7 +37,7 @@ public final class FindingsText {
       append(out, i + 1, findings.get(i), findings.get(i).location().file().equals(file));
     }
     if (findings.size() > MOST) {
-      out.append("And %d more.\n".formatted(findings.size() - MOST));
+      out.append(String.format(Locale.ROOT, "And %d more.\n", findings.size() - MOST));
     }
     return out.toString();
   }

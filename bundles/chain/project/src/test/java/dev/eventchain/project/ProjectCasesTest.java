@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -84,8 +85,12 @@ class ProjectCasesTest {
     CatalogueSettings settings = project.catalogue().orElseThrow();
     SoftwareBase base = project.readSoftwareBase();
     String chosen =
-        "shortlist %d, pinned %s, excluded %s%n"
-            .formatted(settings.shortlist(), settings.pinned(), settings.excluded());
+        String.format(
+            Locale.ROOT,
+            "shortlist %d, pinned %s, excluded %s%n",
+            settings.shortlist(),
+            settings.pinned(),
+            settings.excluded());
     return chosen
         + base.signals().orElseThrow().stream()
             .map(it -> it.topic() + " " + it.direction() + " " + it.fields().get(0).unit() + "\n")

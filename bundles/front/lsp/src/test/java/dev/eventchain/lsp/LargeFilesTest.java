@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.time.LocalDate;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import org.eclipse.emf.ecore.EcorePackage;
@@ -41,13 +42,15 @@ class LargeFilesTest {
     assertProportional(
         "rules.ocl",
         number ->
-            """
+            String.format(
+                Locale.ROOT,
+                """
             context EClass
               def: many%1$d : Boolean = self.eAllReferences->size() > %1$d
               inv Rule%1$d: self.eAllStructuralFeatures->forAll(f | f.name.size() > %1$d)
 
-            """
-                .formatted(number),
+            """,
+                number),
         file -> FileChecks.rules(file, List.of()).diagnostics());
   }
 
@@ -58,15 +61,17 @@ class LargeFilesTest {
         "main.mtl",
         number ->
             (number == 0 ? head : "")
-                + """
+                + String.format(
+                    Locale.ROOT,
+                    """
                 [query public wide%1$d(c : EClass) : Boolean = c.eAttributes->size() > %1$d /]
                 [template public page%1$d(c : EClass)]
                 [for (f | c.eAllStructuralFeatures)]
                   [if (f.eContainingClass.wide%1$d())][f.name.toUpperFirst()/][/if]
                 [/for]
                 [/template]
-                """
-                    .formatted(number),
+                """,
+                    number),
         file ->
             AnyModel.compile(
                 List.of(),
@@ -79,13 +84,15 @@ class LargeFilesTest {
     assertProportional(
         "eventchain-suppressions.yaml",
         number ->
-            """
+            String.format(
+                Locale.ROOT,
+                """
             - id: ocl.violated
               message: "*%d*"
               reason: Later.
               expires: 2027-03-31
-            """
-                .formatted(number),
+            """,
+                number),
         file -> {
           SuppressionFile.read(file, LocalDate.of(2026, 11, 21));
           return List.of();

@@ -19,6 +19,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
@@ -81,20 +82,24 @@ class ManyFilesTest {
   }
 
   private static void write(Path in, int number) throws IOException {
-    Path file = in.resolve("d%d/rules%d.ocl".formatted(number / 100, number));
+    Path file = in.resolve(String.format(Locale.ROOT, "d%d/rules%d.ocl", number / 100, number));
     Files.createDirectories(file.getParent());
     if (!Files.exists(file)) {
       Files.writeString(
           file,
-          """
+          String.format(
+              Locale.ROOT,
+              """
           import 'rules%d.ocl'
           package eventchain
           context EventChain
           def: total%d : Integer = software->size()
           inv Small: self.total%d < 100 and name <> ''
           endpackage
-          """
-              .formatted(number / 10 * 10, number, number));
+          """,
+              number / 10 * 10,
+              number,
+              number));
     }
   }
 

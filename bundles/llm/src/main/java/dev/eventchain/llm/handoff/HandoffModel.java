@@ -19,6 +19,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -119,7 +120,7 @@ public final class HandoffModel implements ChatModel {
   }
 
   private static String name(String task, int number) {
-    return "%s-%02d".formatted(task, number);
+    return String.format(Locale.ROOT, "%s-%02d", task, number);
   }
 
   private Path promptFile(String name) {

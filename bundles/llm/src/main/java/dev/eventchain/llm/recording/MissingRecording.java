@@ -17,6 +17,7 @@ import dev.eventchain.llm.chat.RequestKey;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Describes the difference between a request without a recording and the nearest recorded request
@@ -138,7 +139,7 @@ final class MissingRecording {
       return shown;
     }
     List<String> cut = new ArrayList<>(shown.subList(0, EXCERPT_LINES));
-    cut.add("  ... and %d more lines".formatted(shown.size() - EXCERPT_LINES));
+    cut.add(String.format(Locale.ROOT, "  ... and %d more lines", shown.size() - EXCERPT_LINES));
     return cut;
   }
 }

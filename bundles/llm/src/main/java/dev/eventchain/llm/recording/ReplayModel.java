@@ -14,6 +14,7 @@ import dev.eventchain.llm.chat.RequestJson;
 import dev.eventchain.llm.chat.RequestKey;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 
 /** Answers from recordings only: the n-th identical request of a run gets sample n. */
 public final class ReplayModel implements ChatModel {
@@ -43,8 +44,11 @@ public final class ReplayModel implements ChatModel {
 
   private static DiagnosticException exhausted(Path file, Recording recording, int call) {
     String message =
-        "The same request was made %d times, but its recording holds only %d of the answers."
-            .formatted(call + 1, recording.samples().size());
+        String.format(
+            Locale.ROOT,
+            "The same request was made %d times, but its recording holds only %d of the answers.",
+            call + 1,
+            recording.samples().size());
     return new DiagnosticException(
         Reason.INPUT,
         List.of(

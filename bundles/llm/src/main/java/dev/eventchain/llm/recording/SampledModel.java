@@ -17,6 +17,7 @@ import dev.eventchain.llm.chat.RequestKey;
 import dev.eventchain.llm.recording.Recording.Sample;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -109,9 +110,12 @@ public final class SampledModel implements ChatModel {
         throw MissingRecording.of(recordings, request.task(), model, json);
       }
       String message =
-          ("Run %d sends a prompt that has %d recorded answers, all of which earlier runs"
-                  + " have taken.")
-              .formatted(run + 1, recording.get().samples().size());
+          String.format(
+              Locale.ROOT,
+              "Run %d sends a prompt that has %d recorded answers, all of which earlier runs"
+                  + " have taken.",
+              run + 1,
+              recording.get().samples().size());
       throw new DiagnosticException(
           Reason.INPUT,
           Diagnostic.of(

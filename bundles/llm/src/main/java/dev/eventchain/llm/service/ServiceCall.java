@@ -18,6 +18,7 @@ import dev.langchain4j.model.chat.response.PartialThinking;
 import dev.langchain4j.model.chat.response.StreamingChatResponseHandler;
 import dev.langchain4j.model.output.TokenUsage;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 
@@ -125,7 +126,7 @@ final class ServiceCall implements StreamingChatResponseHandler {
     long now = System.nanoTime();
     if (now - toldAt > TELL_EVERY) {
       toldAt = now;
-      progress.accept("%s answers: %,d characters".formatted(name, characters));
+      progress.accept(String.format(Locale.ROOT, "%s answers: %,d characters", name, characters));
     }
   }
 

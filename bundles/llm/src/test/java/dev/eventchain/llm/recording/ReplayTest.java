@@ -22,6 +22,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -163,13 +164,14 @@ class ReplayTest {
   }
 
   private static String line(Diagnostic diagnostic) {
-    return "%d:%d %s %s: %s\n"
-        .formatted(
-            diagnostic.location().line(),
-            diagnostic.location().column(),
-            diagnostic.location().element(),
-            diagnostic.id(),
-            diagnostic.message().replace("\n", " "));
+    return String.format(
+        Locale.ROOT,
+        "%d:%d %s %s: %s\n",
+        diagnostic.location().line(),
+        diagnostic.location().column(),
+        diagnostic.location().element(),
+        diagnostic.id(),
+        diagnostic.message().replace("\n", " "));
   }
 
   private static Diagnostic missing(Path recordings, String prompt) {

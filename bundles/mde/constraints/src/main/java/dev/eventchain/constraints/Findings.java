@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.ocl.evaluation.Evaluation;
 import dev.eventchain.ocl.evaluation.Invalid;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
 
@@ -88,13 +89,14 @@ final class Findings {
     return new Diagnostic(
         Invalid.ABANDONED,
         Severity.ERROR,
-        "'%s' was abandoned at %s: %s. It left %d of %s unchecked."
-            .formatted(
-                constraint.name(),
-                HeldValue.label(elements.get(index)),
-                limit.reason(),
-                elements.size() - index,
-                Coverage.counted(elements.size(), "element")),
+        String.format(
+            Locale.ROOT,
+            "'%s' was abandoned at %s: %s. It left %d of %s unchecked.",
+            constraint.name(),
+            HeldValue.label(elements.get(index)),
+            limit.reason(),
+            elements.size() - index,
+            Coverage.counted(elements.size(), "element")),
         constraint.location(),
         limit.kind() == Invalid.Kind.RECURSION
             ? "Fix the recursion: closure() follows references and terminates."

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -59,8 +60,12 @@ class RuleCasesTest {
           + DiagnosticFormat.TEXT.render(rules.diagnostics());
     }
     OclResult result = OclValidator.validate(rules, roots, RuleCasesTest::locate);
-    return "constraints %d, elements %d, evaluations %d%n%n"
-            .formatted(result.constraints(), result.elements(), result.evaluations())
+    return String.format(
+            Locale.ROOT,
+            "constraints %d, elements %d, evaluations %d%n%n",
+            result.constraints(),
+            result.elements(),
+            result.evaluations())
         + DiagnosticFormat.TEXT.render(result.diagnostics());
   }
 

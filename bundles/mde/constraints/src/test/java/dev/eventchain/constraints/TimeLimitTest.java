@@ -11,6 +11,7 @@ import dev.eventchain.fixtures.TestModels;
 import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -103,9 +104,11 @@ class TimeLimitTest {
     long checked = result.evaluations() - 1;
     assertTrue(checked > 1 && checked < STATES - 1, () -> checked + " of " + STATES);
     assertEquals(
-        "'Quadratic' was abandoned at State 's%d': it takes more than 300 ms of processor time. It"
-                .formatted(checked)
-            + " left %d of 200 elements unchecked.".formatted(STATES - checked),
+        String.format(
+                Locale.ROOT,
+                "'Quadratic' was abandoned at State 's%d': it takes more than 300 ms of processor time. It",
+                checked)
+            + String.format(Locale.ROOT, " left %d of 200 elements unchecked.", STATES - checked),
         found.message());
   }
 
@@ -113,7 +116,7 @@ class TimeLimitTest {
   void theWholeValidationHasALimitToo() {
     StringBuilder constraints = new StringBuilder("context State\n");
     for (int i = 1; i <= 6; i++) {
-      constraints.append("inv Slow%d: %s\n".formatted(i, SLOW));
+      constraints.append(String.format(Locale.ROOT, "inv Slow%d: %s\n", i, SLOW));
     }
     constraints.append("inv Fine: true\n");
     OclResult result =

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 
@@ -114,7 +115,7 @@ final class TreeNotes {
   /** Returns the description of an unprintable character. */
   static String described(char c) {
     String kind = Character.isSurrogate(c) ? "half of a character, U+" : "the control character U+";
-    return kind + String.format("%04X", (int) c);
+    return kind + String.format(Locale.ROOT, "%04X", (int) c);
   }
 
   void report(Rule rule, String message, String pointer, int offset) {

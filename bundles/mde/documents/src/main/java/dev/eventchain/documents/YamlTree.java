@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.math.BigInteger;
+import java.util.Locale;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.error.Mark;
 import org.yaml.snakeyaml.error.MarkedYAMLException;
@@ -74,7 +75,7 @@ final class YamlTree {
     for (char separator : new char[] {'\u2028', '\u2029'}) {
       if (text.indexOf(separator) >= 0) {
         throw new MalformedException(
-            String.format("The line separator U+%04X is not read.", (int) separator),
+            String.format(Locale.ROOT, "The line separator U+%04X is not read.", (int) separator),
             text.indexOf(separator));
       }
     }

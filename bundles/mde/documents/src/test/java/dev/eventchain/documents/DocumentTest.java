@@ -11,6 +11,7 @@ import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -121,7 +122,13 @@ class DocumentTest {
     StringBuilder bomb = new StringBuilder("a0: &a0 [x, x, x, x, x, x, x, x, x]\n");
     for (int i = 1; i < 30; i++) {
       bomb.append(
-          "a%d: &a%d [%s*a%d]\n".formatted(i, i, "*a%d, ".formatted(i - 1).repeat(8), i - 1));
+          String.format(
+              Locale.ROOT,
+              "a%d: &a%d [%s*a%d]\n",
+              i,
+              i,
+              String.format(Locale.ROOT, "*a%d, ", i - 1).repeat(8),
+              i - 1));
     }
     for (String text : List.of(bomb.toString(), "[".repeat(100_000), "{a: ".repeat(100_000))) {
       DiagnosticException e =

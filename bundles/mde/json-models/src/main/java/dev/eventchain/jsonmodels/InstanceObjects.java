@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -199,8 +200,12 @@ final class InstanceObjects {
     if (earlier != null) {
       find(
           InstanceRules.ID_DUPLICATE,
-          "The id '%s' already belongs to the %s in line %d."
-              .formatted(id.asText(), earlier.eClass().getName(), origins.locate(earlier).line()),
+          String.format(
+              Locale.ROOT,
+              "The id '%s' already belongs to the %s in line %d.",
+              id.asText(),
+              earlier.eClass().getName(),
+              origins.locate(earlier).line()),
           Document.below(pointer, ID),
           "");
     }

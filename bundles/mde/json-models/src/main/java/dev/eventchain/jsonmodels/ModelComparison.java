@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
@@ -160,7 +161,7 @@ public final class ModelComparison {
     }
     EReference feature = object.eContainmentFeature();
     int number = ModelMatch.values(object.eContainer(), feature).indexOf(object) + 1;
-    return "%s (number %d in '%s')".formatted(name, number, feature.getName());
+    return String.format(Locale.ROOT, "%s (number %d in '%s')", name, number, feature.getName());
   }
 
   private void reportOrder(EObject actual, EReference reference, List<EObject> wanted) {

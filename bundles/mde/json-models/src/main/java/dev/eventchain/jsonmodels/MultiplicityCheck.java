@@ -3,6 +3,7 @@ package dev.eventchain.jsonmodels;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Rule;
 import java.util.List;
+import java.util.Locale;
 import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
@@ -61,7 +62,8 @@ final class MultiplicityCheck {
           object,
           feature,
           InstanceRules.MULTIPLICITY,
-          "'%s' takes %s values, not %d.".formatted(feature.getName(), limit, count));
+          String.format(
+              Locale.ROOT, "'%s' takes %s values, not %d.", feature.getName(), limit, count));
     }
   }
 

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Date;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.eclipse.emf.common.util.Enumerator;
 import org.eclipse.emf.ecore.EClass;
@@ -107,7 +108,7 @@ final class InstanceJson {
       return JSON.textNode(ids.get(target).asText());
     }
     if (value instanceof Date date) {
-      return JSON.textNode(new java.text.SimpleDateFormat("yyyy-MM-dd").format(date));
+      return JSON.textNode(new java.text.SimpleDateFormat("yyyy-MM-dd", Locale.ROOT).format(date));
     }
     if (value == null) {
       return JSON.nullNode();

@@ -13,6 +13,7 @@ import dev.eventchain.ocl.nodes.Run;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -107,9 +108,10 @@ class DefinitionsTest {
     String above = "def: d0(n : Integer) : Boolean = n > 0 and pages > n";
     definitions.addAll(List.of(TestDefinitions.definition(above, book)));
     for (int i = 0; i < expressions; i++) {
-      String text = "let k : Integer = %d in self.pages > k implies d0(k)".formatted(i);
+      String text =
+          String.format(Locale.ROOT, "let k : Integer = %d in self.pages > k implies d0(k)", i);
       assertTrue(fresh.parse(SourceText.of("", text).whole(), book, found).isPresent());
-      text = "self.pagse > %d".formatted(i);
+      text = String.format(Locale.ROOT, "self.pagse > %d", i);
       assertFalse(fresh.parse(SourceText.of("", text).whole(), book, found).isPresent());
     }
     assertEquals(expressions, found.size());

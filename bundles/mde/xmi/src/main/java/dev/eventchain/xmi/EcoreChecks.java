@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EClass;
@@ -167,9 +168,12 @@ public final class EcoreChecks {
         report(
             EcoreRules.REQUIRED,
             element,
-            "`%s` has %s, but needs %d."
-                .formatted(
-                    feature.getName(), Coverage.counted(size, "value"), feature.getLowerBound()),
+            String.format(
+                Locale.ROOT,
+                "`%s` has %s, but needs %d.",
+                feature.getName(),
+                Coverage.counted(size, "value"),
+                feature.getLowerBound()),
             "Add what is missing, or lower the feature's lowerBound.");
       }
     } else if (feature.isUnsettable()
@@ -196,9 +200,12 @@ public final class EcoreChecks {
       report(
           EcoreRules.BOUND,
           element,
-          "`%s` has %s, but holds at most %d."
-              .formatted(
-                  feature.getName(), Coverage.counted(size, "value"), feature.getUpperBound()),
+          String.format(
+              Locale.ROOT,
+              "`%s` has %s, but holds at most %d.",
+              feature.getName(),
+              Coverage.counted(size, "value"),
+              feature.getUpperBound()),
           "Remove some, or raise the feature's upperBound.");
     }
   }

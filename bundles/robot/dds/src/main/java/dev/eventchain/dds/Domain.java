@@ -1,6 +1,7 @@
 package dev.eventchain.dds;
 
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 
 /** A domain of this process: created for the first participant, deleted after the last one. */
@@ -40,8 +41,12 @@ final class Domain {
       int handle = cyclone.createDomain(id, configuration);
       if (handle < 0) {
         throw new IllegalArgumentException(
-            "Cyclone DDS refuses domain %d with the configuration %s: %s."
-                .formatted(id, configuration, Codes.text(cyclone, handle)));
+            String.format(
+                Locale.ROOT,
+                "Cyclone DDS refuses domain %d with the configuration %s: %s.",
+                id,
+                configuration,
+                Codes.text(cyclone, handle)));
       }
       domain = new Domain(id, configuration, handle);
       DOMAINS.put(id, domain);

@@ -7,6 +7,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** Reads one message as CDR. */
 final class CdrReader {
@@ -40,7 +41,7 @@ final class CdrReader {
     }
     if (buffer.remaining() >= PADDED) {
       throw new IllegalArgumentException(
-          "%d bytes follow the message %s.".formatted(buffer.remaining(), type));
+          String.format(Locale.ROOT, "%d bytes follow the message %s.", buffer.remaining(), type));
     }
   }
 

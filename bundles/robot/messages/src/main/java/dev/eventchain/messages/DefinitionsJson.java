@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
 
@@ -98,7 +99,7 @@ final class DefinitionsJson {
           || each == '\u2028'
           || each == '\u2029'
           || Character.isSurrogate(each)) {
-        json.append("\\u%04x".formatted((int) each));
+        json.append(String.format(Locale.ROOT, "\\u%04x", (int) each));
       } else {
         json.append(each);
       }

@@ -1,6 +1,7 @@
 package dev.eventchain.messages;
 
 import dev.eventchain.diagnostics.Sha256;
+import java.util.Locale;
 import java.util.StringJoiner;
 import java.util.TreeMap;
 
@@ -53,14 +54,15 @@ final class TypeHash {
   private String field(String name, FieldType type) {
     type.message().ifPresent(inner -> used.put(inner.name(), description(inner)));
     int capacity = type.shape() == FieldType.Shape.SINGLE ? 0 : type.size();
-    return ("{\"name\": \"%s\", \"type\": {\"type_id\": %d, \"capacity\": %d,"
-            + " \"string_capacity\": %d, \"nested_type_name\": \"%s\"}}")
-        .formatted(
-            name,
-            shape(type) + kind(type),
-            capacity,
-            type.stringBound(),
-            type.message().map(MessageType::name).orElse(""));
+    return String.format(
+        Locale.ROOT,
+        "{\"name\": \"%s\", \"type\": {\"type_id\": %d, \"capacity\": %d,"
+            + " \"string_capacity\": %d, \"nested_type_name\": \"%s\"}}",
+        name,
+        shape(type) + kind(type),
+        capacity,
+        type.stringBound(),
+        type.message().map(MessageType::name).orElse(""));
   }
 
   private static int shape(FieldType type) {

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,7 +55,8 @@ class ServiceParserTest {
 
   private String line(Diagnostic found) {
     Path file = Path.of(found.location().file());
-    return "%s %s:%d".formatted(found.id(), file.getFileName(), found.location().line());
+    return String.format(
+        Locale.ROOT, "%s %s:%d", found.id(), file.getFileName(), found.location().line());
   }
 
   private void write(String file, String text) throws IOException {

@@ -302,6 +302,6 @@ final class ResultBuilder {
       String text = node.name() + node.activations() + node.period() + node.executionTime();
       digest.update(text.getBytes(StandardCharsets.UTF_8));
     }
-    return String.format("simulation-%08x", digest.getValue());
+    return String.format(Locale.ROOT, "simulation-%08x", digest.getValue());
   }
 }

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.description.ChainNames;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 
@@ -19,7 +20,8 @@ record DescribedNode(String component, FoundNode node, List<DescribedEndpoint> e
    */
   ObjectNode json(Optional<PythonNode> hosted) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    String place = "The node %s, %s:%d".formatted(node.name(), node.file(), node.line());
+    String place =
+        String.format(Locale.ROOT, "The node %s, %s:%d", node.name(), node.file(), node.line());
     String said = node.description().isBlank() ? "" : node.description() + " ";
     json.put(ChainNames.NAME, component).put(ChainNames.DESCRIPTION, said + place + ".");
     json.put(ChainNames.IMPLEMENTATION, "node");

@@ -9,6 +9,7 @@ import dev.eventchain.messages.MessageType;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SortedMap;
@@ -95,8 +96,12 @@ public final class RecordedSignals {
   private void ask(RecordedTopic topic) {
     String rate = topic.rate() > 0 ? ", " + topic.rate() + " Hz on average" : "";
     String text =
-        "Who writes and who reads %s (%d messages%s)? The vehicle is taken to provide it."
-            .formatted(topic.name(), topic.count(), rate);
+        String.format(
+            Locale.ROOT,
+            "Who writes and who reads %s (%d messages%s)? The vehicle is taken to provide it.",
+            topic.name(),
+            topic.count(),
+            rate);
     questions.add(new OpenQuestion(text, topic.file(), 0));
     if (topic.qos().isEmpty()) {
       String unknown = "What is the quality of service of %s? The recording does not say.";

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import java.util.Locale;
 import java.util.Optional;
 
 /** Findings about input that needs more memory than the launcher grants, which is no defect. */
@@ -24,8 +25,10 @@ final class MemoryFinding {
   private static Diagnostic finding() {
     return Diagnostic.of(
             PipelineRules.EVENTCHAIN_MEMORY,
-            "The input needs more memory than the %d MiB that are allowed."
-                .formatted(Runtime.getRuntime().maxMemory() / MEBIBYTE),
+            String.format(
+                Locale.ROOT,
+                "The input needs more memory than the %d MiB that are allowed.",
+                Runtime.getRuntime().maxMemory() / MEBIBYTE),
             SourceLocation.NONE)
         .withHint("Allow more: EVENTCHAIN_MEMORY=4g eventchain ...");
   }

@@ -4,6 +4,7 @@ import static dev.eventchain.pipeline.PlantedMetamodel.BASE;
 import static dev.eventchain.pipeline.PlantedMetamodel.TARGET;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 
 /** Models that violate their metamodel, whatever the constraints. */
@@ -47,7 +48,8 @@ final class PlantedFaults {
     PlantedMetamodel.Type type = metamodel.type(metamodel.type(BASE, true), false);
     int lower = random.nextInt(3);
     int upper = Math.max(2, lower) + random.nextInt(2);
-    String bounds = "lowerBound=\"%d\" upperBound=\"%d\" ".formatted(lower, upper);
+    String bounds =
+        String.format(Locale.ROOT, "lowerBound=\"%d\" upperBound=\"%d\" ", lower, upper);
     int kind = random.nextInt(4);
     if (kind == 0) {
       metamodel.attribute(type, "held", "EInt", bounds + "unique=\"false\"");

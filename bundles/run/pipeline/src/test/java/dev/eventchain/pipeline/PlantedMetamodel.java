@@ -2,6 +2,7 @@ package dev.eventchain.pipeline;
 
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
@@ -222,7 +223,8 @@ final class PlantedMetamodel {
     StringBuilder text =
         new StringBuilder("<eClassifiers xsi:type=\"ecore:EEnum\" name=\"Colour\">");
     for (int i = 0; i < COLOURS.size(); i++) {
-      text.append("<eLiterals name=\"%s\" value=\"%d\"/>".formatted(COLOURS.get(i), i));
+      text.append(
+          String.format(Locale.ROOT, "<eLiterals name=\"%s\" value=\"%d\"/>", COLOURS.get(i), i));
     }
     return text.append("</eClassifiers>\n").toString();
   }

@@ -3,6 +3,7 @@ package dev.eventchain.catalogue.arxml;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.math.BigDecimal;
 import java.math.BigInteger;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -81,7 +82,8 @@ record ArxmlLimits(Optional<BigDecimal> least, Optional<BigDecimal> most) {
         || number.signum() < 0
         || number.compareTo(BigDecimal.valueOf(largest)) > 0) {
       throw new NoNumberException(
-          "'%s' is no whole number from 0 to %d.".formatted(element.tag(), largest),
+          String.format(
+              Locale.ROOT, "'%s' is no whole number from 0 to %d.", element.tag(), largest),
           element.location());
     }
     return number.longValueExact();

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -65,8 +66,11 @@ public final class NetworkMessage {
     return fits || isNeverSent()
         ? Optional.empty()
         : Optional.of(
-            "The identifier of '%s' has more than %d bits."
-                .formatted(name, isExtended() ? 29 : 11));
+            String.format(
+                Locale.ROOT,
+                "The identifier of '%s' has more than %d bits.",
+                name,
+                isExtended() ? 29 : 11));
   }
 
   public long number() {

@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -50,7 +51,8 @@ class ArxmlPeerTest {
   }
 
   private void write(String kind, int number, String text) throws Exception {
-    Files.writeString(folder.resolve("%s-%04d.arxml".formatted(kind, number)), text);
+    Files.writeString(
+        folder.resolve(String.format(Locale.ROOT, "%s-%04d.arxml", kind, number)), text);
   }
 
   /** The order of signals of multiplexed messages is another one. */

@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
@@ -94,8 +95,11 @@ class ArxmlReaderTest {
     StringBuilder scales = new StringBuilder();
     for (int i = 0; i < 20; i++) {
       scales.append(
-          "<COMPU-SCALE><LOWER-LIMIT>%d</LOWER-LIMIT><UPPER-LIMIT>%d</UPPER-LIMIT><COMPU-CONST><VT>T</VT></COMPU-CONST></COMPU-SCALE>"
-              .formatted(256 * i, 256 * i + 255));
+          String.format(
+              Locale.ROOT,
+              "<COMPU-SCALE><LOWER-LIMIT>%d</LOWER-LIMIT><UPPER-LIMIT>%d</UPPER-LIMIT><COMPU-CONST><VT>T</VT></COMPU-CONST></COMPU-SCALE>",
+              256 * i,
+              256 * i + 255));
     }
     String mapping =
         "<I-SIGNAL-TO-I-PDU-MAPPING><I-SIGNAL-REF>/P/S</I-SIGNAL-REF><START-POSITION>0</START-POSITION></I-SIGNAL-TO-I-PDU-MAPPING>";

@@ -2,6 +2,7 @@ package dev.eventchain.catalogue.arxml;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 
 /** The text of a random system description with one message, of which each part may be missing. */
@@ -174,8 +175,11 @@ final class RandomDescription {
   }
 
   private static String limits(int from, int to) {
-    return "<LOWER-LIMIT INTERVAL-TYPE=\"CLOSED\">%d</LOWER-LIMIT><UPPER-LIMIT>%d</UPPER-LIMIT>"
-        .formatted(from, to);
+    return String.format(
+        Locale.ROOT,
+        "<LOWER-LIMIT INTERVAL-TYPE=\"CLOSED\">%d</LOWER-LIMIT><UPPER-LIMIT>%d</UPPER-LIMIT>",
+        from,
+        to);
   }
 
   private static String text(String text) {

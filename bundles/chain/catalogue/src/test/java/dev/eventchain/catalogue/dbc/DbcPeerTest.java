@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -32,11 +33,15 @@ class DbcPeerTest {
     Random random = new Random(Thorough.turn());
     Files.writeString(folder.resolve("example.dbc"), example());
     for (int i = 0; i < COUNT; i++) {
-      Files.writeString(folder.resolve("legal-%04d.dbc".formatted(i)), RandomNetwork.legal(random));
       Files.writeString(
-          folder.resolve("place-%04d.dbc".formatted(i)), RandomNetwork.anyPlace(random));
+          folder.resolve(String.format(Locale.ROOT, "legal-%04d.dbc", i)),
+          RandomNetwork.legal(random));
       Files.writeString(
-          folder.resolve("shared-%04d.dbc".formatted(i)), RandomNetwork.overlapping(random));
+          folder.resolve(String.format(Locale.ROOT, "place-%04d.dbc", i)),
+          RandomNetwork.anyPlace(random));
+      Files.writeString(
+          folder.resolve(String.format(Locale.ROOT, "shared-%04d.dbc", i)),
+          RandomNetwork.overlapping(random));
     }
     RequirementTools tools = RequirementTools.install(PYTHON.resolve("requirements-dbc.txt"));
     RequirementTools.Ended ended =

@@ -16,6 +16,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
@@ -143,7 +144,7 @@ class DbcReaderTest {
     StringBuilder text =
         new StringBuilder("BO_ 1 Large: 65536 A\n SG_ Mux M : 0|16@1+ (1,0) [0|0] \"\" A\n");
     for (int i = 0; i < 4_000; i++) {
-      text.append(" SG_ S%d m%d : 16|8@1+ (1,0) [0|0] \"\" A%n".formatted(i, i));
+      text.append(String.format(Locale.ROOT, " SG_ S%d m%d : 16|8@1+ (1,0) [0|0] \"\" A%n", i, i));
     }
     List<Diagnostic> found = new ArrayList<>();
     assertEquals(4_001, signals(text.toString(), found::add).size());

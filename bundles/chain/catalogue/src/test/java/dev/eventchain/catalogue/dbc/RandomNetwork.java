@@ -2,6 +2,7 @@ package dev.eventchain.catalogue.dbc;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import java.util.StringJoiner;
 
@@ -41,13 +42,14 @@ final class RandomNetwork {
 
   /** Returns a network with one signal, which may not fit. */
   static String anyPlace(Random random) {
-    return "BU_: A\nBO_ 1 One: %d A\n SG_ S : %d|%d@%d%s (1,0) [0|0] \"\" A\n"
-        .formatted(
-            1 + random.nextInt(8),
-            random.nextInt(70),
-            1 + random.nextInt(40),
-            random.nextInt(2),
-            random.nextBoolean() ? "+" : "-");
+    return String.format(
+        Locale.ROOT,
+        "BU_: A\nBO_ 1 One: %d A\n SG_ S : %d|%d@%d%s (1,0) [0|0] \"\" A\n",
+        1 + random.nextInt(8),
+        random.nextInt(70),
+        1 + random.nextInt(40),
+        random.nextInt(2),
+        random.nextBoolean() ? "+" : "-");
   }
 
   /** Returns a network with signals anywhere in a message, which may share bits. */
@@ -60,13 +62,14 @@ final class RandomNetwork {
       int place = random.nextInt(33 - length);
       boolean bigEndian = random.nextBoolean();
       text.append(
-          " SG_ S%d%s : %d|%d@%d+ (1,0) [0|0] \"\" A\n"
-              .formatted(
-                  i,
-                  random.nextInt(3) == 0 ? "" : " m" + random.nextInt(3),
-                  bigEndian ? place / 8 * 8 + 7 - place % 8 : place,
-                  length,
-                  bigEndian ? 0 : 1));
+          String.format(
+              Locale.ROOT,
+              " SG_ S%d%s : %d|%d@%d+ (1,0) [0|0] \"\" A\n",
+              i,
+              random.nextInt(3) == 0 ? "" : " m" + random.nextInt(3),
+              bigEndian ? place / 8 * 8 + 7 - place % 8 : place,
+              length,
+              bigEndian ? 0 : 1));
     }
     return text.toString();
   }
@@ -81,7 +84,8 @@ final class RandomNetwork {
     number = number / 8 * 8 + index;
     int size = 1 + random.nextInt(16);
     String sender = any(List.of("A", "B", "Vector__XXX"));
-    messages.append("BO_ %d Message_%d: %d %s\n".formatted(number, index, size, sender));
+    messages.append(
+        String.format(Locale.ROOT, "BO_ %d Message_%d: %d %s\n", number, index, size, sender));
     int bits = 0;
     int count = 0;
     boolean multiplexed = random.nextInt(3) == 0;
@@ -91,10 +95,12 @@ final class RandomNetwork {
     }
     messages.append('\n');
     if (random.nextBoolean()) {
-      facts.add("CM_ BO_ %d \"Message %d\";".formatted(number, index));
+      facts.add(String.format(Locale.ROOT, "CM_ BO_ %d \"Message %d\";", number, index));
     }
     if (random.nextBoolean()) {
-      facts.add("BA_ \"GenMsgCycleTime\" BO_ %d %d;".formatted(number, random.nextInt(3) * 10));
+      facts.add(
+          String.format(
+              Locale.ROOT, "BA_ \"GenMsgCycleTime\" BO_ %d %d;", number, random.nextInt(3) * 10));
       facts.add(0, "BA_DEF_ BO_ \"GenMsgCycleTime\" INT 0 65535;");
     }
   }
@@ -112,19 +118,20 @@ final class RandomNetwork {
     String role = multiplexed ? index == 0 ? " M" : " m" + random.nextInt(2) : "";
     boolean range = random.nextBoolean();
     messages.append(
-        " SG_ Signal_%d%s : %d|%d@%d%s (%s,%s) [%s] \"%s\" %s\n"
-            .formatted(
-                index,
-                role,
-                start,
-                length,
-                bigEndian ? 0 : 1,
-                random.nextBoolean() ? "+" : "-",
-                any(FACTORS),
-                any(OFFSETS),
-                range ? "-3|" + (1 + random.nextInt(90)) / 4.0 : "0|0",
-                any(UNITS),
-                any(List.of("A", "B,C", "Vector__XXX"))));
+        String.format(
+            Locale.ROOT,
+            " SG_ Signal_%d%s : %d|%d@%d%s (%s,%s) [%s] \"%s\" %s\n",
+            index,
+            role,
+            start,
+            length,
+            bigEndian ? 0 : 1,
+            random.nextBoolean() ? "+" : "-",
+            any(FACTORS),
+            any(OFFSETS),
+            range ? "-3|" + (1 + random.nextInt(90)) / 4.0 : "0|0",
+            any(UNITS),
+            any(List.of("A", "B,C", "Vector__XXX"))));
     facts(number, index, floating, length);
     // Bits of both byte orders in one byte might overlap.
     return bigEndian ? (from + length + 7) / 8 * 8 : from + length;

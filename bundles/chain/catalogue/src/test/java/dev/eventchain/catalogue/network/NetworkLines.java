@@ -3,6 +3,7 @@ package dev.eventchain.catalogue.network;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -34,15 +35,16 @@ public final class NetworkLines {
     for (NetworkMessage message : network.messages()) {
       String senders = String.join(",", new TreeSet<>(message.senders()));
       lines.add(
-          "message %s %d %s %d %s %d %s"
-              .formatted(
-                  message.name(),
-                  message.identifier(),
-                  message.isExtended() ? "extended" : "standard",
-                  message.size(),
-                  senders.isEmpty() ? "-" : senders,
-                  cycle(network, message),
-                  quoted(message.comment())));
+          String.format(
+              Locale.ROOT,
+              "message %s %d %s %d %s %d %s",
+              message.name(),
+              message.identifier(),
+              message.isExtended() ? "extended" : "standard",
+              message.size(),
+              senders.isEmpty() ? "-" : senders,
+              cycle(network, message),
+              quoted(message.comment())));
       message.signals().values().forEach(signal -> lines.add(line(signal)));
     }
     return lines;
@@ -97,7 +99,7 @@ public final class NetworkLines {
 
   /** Returns the bits of a double. */
   private static String number(BigDecimal number) {
-    return "%016x".formatted(Double.doubleToRawLongBits(number.doubleValue()));
+    return String.format(Locale.ROOT, "%016x", Double.doubleToRawLongBits(number.doubleValue()));
   }
 
   private static String quoted(String text) {

@@ -9,6 +9,7 @@ import dev.eventchain.model.diagram.ChainDiagram.LineKind;
 import dev.eventchain.model.diagram.ChainDiagram.Point;
 import dev.eventchain.model.diagram.ChainDiagram.Text;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Pattern;
 
 /**
@@ -42,9 +43,12 @@ public final class DiagramSvg {
   private String write() {
     out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n")
         .append(
-            ("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0"
-                    + " %1$d %2$d\" font-family=\"Arial, Helvetica, sans-serif\">\n")
-                .formatted(diagram.width(), diagram.height()))
+            String.format(
+                Locale.ROOT,
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0"
+                    + " %1$d %2$d\" font-family=\"Arial, Helvetica, sans-serif\">\n",
+                diagram.width(),
+                diagram.height()))
         .append("  <title>")
         .append(escape(diagram.name()))
         .append("</title>\n  <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
@@ -55,24 +59,42 @@ public final class DiagramSvg {
 
   private void line(Line line) {
     List<Point> points = line.points();
-    StringBuilder path =
-        new StringBuilder("M%d %d".formatted(points.get(0).x(), points.get(0).y()));
+    boolean dashed = line.kind() == LineKind.NEXT_STEP || line.isBack();
+    out.append("  <path d=\"%s\" fill=\"none\" stroke=\"%s\"".formatted(path(points), LINE))
+        .append(dashed ? " stroke-dasharray=\"5 3\"/>\n" : "/>\n");
+    Point end = points.get(points.size() - 1);
+    int back = end.y() > points.get(points.size() - 2).y() ? -8 : 8;
+    out.append(
+        String.format(
+            Locale.ROOT,
+            "  <path d=\"M%d %d l-4 %d h8 z\" fill=\"%s\"/>\n",
+            end.x(),
+            end.y(),
+            back,
+            LINE));
+  }
+
+  /** Returns the commands that draw a way, with curves between columns. */
+  private static String path(List<Point> points) {
+    StringBuilder path = new StringBuilder("M" + at(points.get(0)));
     for (int i = 1; i < points.size(); i++) {
       Point from = points.get(i - 1);
       Point to = points.get(i);
       int middle = (from.y() + to.y()) / 2;
       path.append(
           from.x() == to.x()
-              ? " L%d %d".formatted(to.x(), to.y())
-              : " C%d %d %d %d %d %d".formatted(from.x(), middle, to.x(), middle, to.x(), to.y()));
+              ? " L" + at(to)
+              : " C%s %s %s".formatted(at(from.x(), middle), at(to.x(), middle), at(to)));
     }
-    boolean dashed = line.kind() == LineKind.NEXT_STEP || line.isBack();
-    out.append("  <path d=\"%s\" fill=\"none\" stroke=\"%s\"".formatted(path, LINE))
-        .append(dashed ? " stroke-dasharray=\"5 3\"/>\n" : "/>\n");
-    Point end = points.get(points.size() - 1);
-    int back = end.y() > points.get(points.size() - 2).y() ? -8 : 8;
-    out.append(
-        "  <path d=\"M%d %d l-4 %d h8 z\" fill=\"%s\"/>\n".formatted(end.x(), end.y(), back, LINE));
+    return path.toString();
+  }
+
+  private static String at(Point point) {
+    return at(point.x(), point.y());
+  }
+
+  private static String at(int x, int y) {
+    return x + " " + y;
   }
 
   private void box(Box box) {
@@ -92,8 +114,13 @@ public final class DiagramSvg {
     box.bars().forEach(bar -> rectangle(bar, 0, LINE, LINE));
     for (Shapes.Stem stem : Shapes.stems(box)) {
       out.append(
-          "<path d=\"M%d %d V%d\" stroke=\"%s\"/>"
-              .formatted(stem.x(), stem.from(), stem.to(), LINE));
+          String.format(
+              Locale.ROOT,
+              "<path d=\"M%d %d V%d\" stroke=\"%s\"/>",
+              stem.x(),
+              stem.from(),
+              stem.to(),
+              LINE));
     }
     Shapes.texts(box, sizes).forEach(this::text);
     out.append("</g>\n");
@@ -105,8 +132,16 @@ public final class DiagramSvg {
 
   private void rectangle(Area area, int radius, String fill, String stroke) {
     out.append(
-        "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"%d\" fill=\"%s\" stroke=\"%s\"/>"
-            .formatted(area.x(), area.y(), area.width(), area.height(), radius, fill, stroke));
+        String.format(
+            Locale.ROOT,
+            "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"%d\" fill=\"%s\" stroke=\"%s\"/>",
+            area.x(),
+            area.y(),
+            area.width(),
+            area.height(),
+            radius,
+            fill,
+            stroke));
   }
 
   /** Adds a text; any font is scaled to the width in the layout. */
@@ -114,15 +149,16 @@ public final class DiagramSvg {
     Text text = placed.text();
     int height = sizes.height(text.title());
     out.append(
-        ("<text x=\"%d\" y=\"%d\" font-size=\"%d\" textLength=\"%d\""
-                + " lengthAdjust=\"spacingAndGlyphs\"%s>%s</text>")
-            .formatted(
-                placed.x(),
-                placed.y() + Shapes.fontSize(height),
-                Shapes.fontSize(height),
-                Math.max(1, text.width()),
-                text.title() ? " font-weight=\"bold\"" : "",
-                escape(text.text())));
+        String.format(
+            Locale.ROOT,
+            "<text x=\"%d\" y=\"%d\" font-size=\"%d\" textLength=\"%d\""
+                + " lengthAdjust=\"spacingAndGlyphs\"%s>%s</text>",
+            placed.x(),
+            placed.y() + Shapes.fontSize(height),
+            Shapes.fontSize(height),
+            Math.max(1, text.width()),
+            text.title() ? " font-weight=\"bold\"" : "",
+            escape(text.text())));
   }
 
   private static String escape(String text) {

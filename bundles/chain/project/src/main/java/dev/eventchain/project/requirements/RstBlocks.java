@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -309,7 +310,8 @@ final class RstBlocks extends TextBlocks {
 
   private RstBlocks inside(List<String> content, int above) {
     if (depth >= DEEPEST) {
-      String message = "More than %d directives are in each other.".formatted(DEEPEST);
+      String message =
+          String.format(Locale.ROOT, "More than %d directives are in each other.", DEEPEST);
       throw Reading.refused(message, source.at(above, 1), "Take some of them out.");
     }
     return new RstBlocks(content, above, file, new ArrayList<>(), this);

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -106,8 +107,12 @@ final class RstFiles {
     length += read.map(text -> text.text().length()).orElse(0);
     if (open.size() > DEEPEST || ++times > MOST || length > Reading.LONGEST) {
       throw Reading.refused(
-          "More than %d files are in each other, %d in all, or %d characters."
-              .formatted(DEEPEST, MOST, Reading.LONGEST),
+          String.format(
+              Locale.ROOT,
+              "More than %d files are in each other, %d in all, or %d characters.",
+              DEEPEST,
+              MOST,
+              Reading.LONGEST),
           place,
           "Take some of them out.");
     }

@@ -113,8 +113,12 @@ public record SourceRequirements(
     int sum = left.values().stream().mapToInt(Integer::intValue).sum();
     return Diagnostic.of(
         RequirementRules.FILTERED,
-        "%d of %d items count as requirements. The others: %s."
-            .formatted(counted, counted + sum, reasons),
+        String.format(
+            Locale.ROOT,
+            "%d of %d items count as requirements. The others: %s.",
+            counted,
+            counted + sum,
+            reasons),
         place);
   }
 

@@ -81,7 +81,8 @@ final class TextItems {
     List<String> lines = new ArrayList<>(source.text().lines().toList());
     for (int i = 0; i < lines.size(); i++) {
       if (lines.get(i).length() > LONGEST_LINE) {
-        String message = "This line has more than %d characters.".formatted(LONGEST_LINE);
+        String message =
+            String.format(Locale.ROOT, "This line has more than %d characters.", LONGEST_LINE);
         throw Reading.refused(message, source.at(i + 1, 1), "Divide it.");
       }
     }

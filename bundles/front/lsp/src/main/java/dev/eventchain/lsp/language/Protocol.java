@@ -10,6 +10,7 @@ import dev.eventchain.editing.TextRange;
 import dev.eventchain.lsp.text.Positions;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.eclipse.lsp4j.CompletionItem;
 import org.eclipse.lsp4j.CompletionItemKind;
 import org.eclipse.lsp4j.DocumentSymbol;
@@ -89,7 +90,7 @@ public final class Protocol {
           each.snippet() ? InsertTextFormat.Snippet : InsertTextFormat.PlainText);
       item.setTextEdit(
           Either.forLeft(new TextEdit(Positions.of(each.replaced()), each.insertText())));
-      item.setSortText("%05d".formatted(items.size()));
+      item.setSortText(String.format(Locale.ROOT, "%05d", items.size()));
       items.add(item);
     }
     return items;

@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -95,7 +96,8 @@ final class LastVerdict {
         : Optional.of(
             aged(
                 (is(verdict, "passed") ? "Passed" : "Not passed")
-                    + ": %d of %d scenarios".formatted(passed, scenarios.size())));
+                    + String.format(
+                        Locale.ROOT, ": %d of %d scenarios", passed, scenarios.size())));
   }
 
   /** Returns the outcome of a scenario, in words, with the smallest margins. */

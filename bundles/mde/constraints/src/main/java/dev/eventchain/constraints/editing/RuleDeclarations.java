@@ -8,6 +8,7 @@ import dev.eventchain.editing.Symbol;
 import dev.eventchain.ocl.editing.Descriptions;
 import dev.eventchain.ocl.editing.Mention;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EObject;
 
@@ -72,7 +73,11 @@ record RuleDeclarations(RuleWorld world, List<RuleText> texts, EcorePlaces ecore
     List<RuleWorld.Definition> alike = world.alike(definition);
     if (alike.size() > 1) {
       List<String> files = alike.stream().map(each -> each.file().toString()).distinct().toList();
-      return "It is declared %d times, in %s.".formatted(alike.size(), String.join(" and ", files));
+      return String.format(
+          Locale.ROOT,
+          "It is declared %d times, in %s.",
+          alike.size(),
+          String.join(" and ", files));
     }
     return world.language().assistant().hasMember(definition.owner(), newName)
         ? "%s or a class below it already has '%s'."

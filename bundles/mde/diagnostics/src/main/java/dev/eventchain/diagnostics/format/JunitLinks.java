@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.Trial;
 import dev.eventchain.diagnostics.Xml;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -26,8 +27,11 @@ public final class JunitLinks {
     String status = " status=\"" + (ran ? "run" : "notrun") + '"';
     return place.file().isEmpty()
         ? status
-        : " file=\"%s\" line=\"%d\""
-                .formatted(Xml.attribute(place.file()), Math.max(1, place.line()))
+        : String.format(
+                Locale.ROOT,
+                " file=\"%s\" line=\"%d\"",
+                Xml.attribute(place.file()),
+                Math.max(1, place.line()))
             + status;
   }
 

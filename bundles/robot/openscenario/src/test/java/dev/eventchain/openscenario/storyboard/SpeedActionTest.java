@@ -14,6 +14,7 @@ import static dev.eventchain.openscenario.storyboard.Scenarios.story;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -56,7 +57,8 @@ class SpeedActionTest {
     assertEquals(20, state(run, "Ego").speed(), EXACT);
     double reported = Math.ceil((1 + duration) * 100 - 1e-4) / 100;
     assertTrue(
-        changes(run).contains(String.format("%.2f S/A/G/M/E/EAction END COMPLETE", reported)),
+        changes(run)
+            .contains(String.format(Locale.ROOT, "%.2f S/A/G/M/E/EAction END COMPLETE", reported)),
         () -> changes(run).toString());
   }
 

@@ -11,6 +11,7 @@ import dev.eventchain.simulation.formula.WorldSignals;
 import dev.eventchain.simulation.sensor.ObjectSensor;
 import dev.eventchain.simulation.world.Actuator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -119,7 +120,9 @@ final class BenchListing {
     if (shown.size() < missing.size()) {
       int more = missing.size() - shown.size();
       String what = provided ? "that the vehicle provides" : "that the vehicle takes";
-      line("not connected: %d topics %s and the chain does not use".formatted(more, what));
+      line(
+          String.format(
+              Locale.ROOT, "not connected: %d topics %s and the chain does not use", more, what));
     }
     for (String topic : shown) {
       line(

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.simulation.sensor.LaserScanner;
+import java.util.Locale;
 
 /** Reads the section {@code laser_scan} of a topic. */
 final class LaserScanReader {
@@ -50,7 +51,8 @@ final class LaserScanReader {
     if (scanner.rays() * rate > MOST_RAYS) {
       refuse(
           section,
-          "These are %d rays, %s times in a second.".formatted(scanner.rays(), rate),
+          String.format(
+              Locale.ROOT, "These are %d rays, %s times in a second.", scanner.rays(), rate),
           "At most 100000 rays a second are simulated: enlarge `step_deg`.");
     }
     return scanner;

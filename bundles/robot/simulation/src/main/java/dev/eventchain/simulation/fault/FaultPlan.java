@@ -10,6 +10,7 @@ import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** Faults to inject into scenarios, each in a run of its own. Read from a YAML file. Immutable. */
@@ -82,12 +83,13 @@ public final class FaultPlan {
             first ->
                 Diagnostic.of(
                         FaultRules.SIMULATION_FAULT_LEFT_OUT,
-                        "%d of %d runs with faults are left out, as their scenarios are: the first is '%s' in %s."
-                            .formatted(
-                                others.size(),
-                                faults.size(),
-                                first.name(),
-                                first.scenario().name()),
+                        String.format(
+                            Locale.ROOT,
+                            "%d of %d runs with faults are left out, as their scenarios are: the first is '%s' in %s.",
+                            others.size(),
+                            faults.size(),
+                            first.name(),
+                            first.scenario().name()),
                         first.location())
                     .withHint("Simulate all scenarios, or name theirs: --scenario NAME"));
   }

@@ -7,6 +7,7 @@ import dev.eventchain.simulation.measure.MeasureRules;
 import dev.eventchain.simulation.run.ScenarioRun;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -65,9 +66,11 @@ public final class AttachedFindings {
       found.add(
           Diagnostic.of(
                   JudgeRules.SIMULATION_ATTACHED_STATE,
-                  ("%d scenarios were driven with the same nodes, which were not restarted:"
-                          + " from the second one on they remember what happened before.")
-                      .formatted(runs.size()),
+                  String.format(
+                      Locale.ROOT,
+                      "%d scenarios were driven with the same nodes, which were not restarted:"
+                          + " from the second one on they remember what happened before.",
+                      runs.size()),
                   SourceLocation.NONE)
               .withHint("Restart the nodes for each scenario, and run it alone: --scenario NAME."));
     }

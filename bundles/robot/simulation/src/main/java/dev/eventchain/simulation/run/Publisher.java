@@ -18,6 +18,7 @@ import dev.eventchain.simulation.sensor.RoadScene;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
 
@@ -175,7 +176,8 @@ final class Publisher {
 
   private static DiagnosticException noText(ChosenText chosen, Bench.Field field) {
     String message =
-        "'%s' is none of the %d texts.".formatted(chosen.text(), chosen.texts().size());
+        String.format(
+            Locale.ROOT, "'%s' is none of the %d texts.", chosen.text(), chosen.texts().size());
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
         Diagnostic.of(BenchRules.BENCH_VALUE_RANGE, message, field.location())

@@ -20,6 +20,7 @@ import dev.eventchain.simulation.world.Situation;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -75,8 +76,10 @@ final class ScenarioReader {
           DiagnosticException.Reason.INPUT,
           Diagnostic.of(
                   ScenarioRules.VALUE_RANGE,
-                  "Its OpenSCENARIO file has %d cases, and one is needed here."
-                      .formatted(scenarios.size()),
+                  String.format(
+                      Locale.ROOT,
+                      "Its OpenSCENARIO file has %d cases, and one is needed here.",
+                      scenarios.size()),
                   scenarios.get(0).location())
               .withHint(
                   "Name the scenario that the distributions are about, and vary its parameters."));

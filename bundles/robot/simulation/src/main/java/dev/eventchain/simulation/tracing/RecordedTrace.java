@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -98,7 +99,9 @@ public final class RecordedTrace {
       throw unreadable("it has no streams in the form of sink.text.details", place);
     }
     if (begun != ended) {
-      throw unreadable("it is cut off, since %d of %d streams end".formatted(ended, begun), place);
+      throw unreadable(
+          String.format(Locale.ROOT, "it is cut off, since %d of %d streams end", ended, begun),
+          place);
     }
     discarded.forEach((kind, count) -> lost.add(count + " " + kind));
   }
@@ -226,7 +229,7 @@ public final class RecordedTrace {
   }
 
   private static String described(ThreadId thread) {
-    return "vpid %d, vtid %d".formatted(thread.process().id(), thread.thread());
+    return String.format(Locale.ROOT, "vpid %d, vtid %d", thread.process().id(), thread.thread());
   }
 
   /** Returns the full names of all nodes, sorted. */

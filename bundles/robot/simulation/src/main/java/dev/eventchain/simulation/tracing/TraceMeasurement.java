@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -111,7 +112,7 @@ public record TraceMeasurement(
   private String runId() {
     CRC32 digest = new CRC32();
     digest.update((components + " " + latencies).getBytes(StandardCharsets.UTF_8));
-    return String.format("trace-%08x", digest.getValue());
+    return String.format(Locale.ROOT, "trace-%08x", digest.getValue());
   }
 
   /** A measurement while it is made. */

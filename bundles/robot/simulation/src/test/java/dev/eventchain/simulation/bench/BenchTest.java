@@ -27,6 +27,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -203,14 +204,15 @@ class BenchTest {
       for (Diagnostic problem : failure.diagnostics()) {
         SourceLocation place = problem.location();
         found.append(
-            "%s %s %d:%d %s %s%n"
-                .formatted(
-                    file.getFileName(),
-                    problem.id(),
-                    place.line(),
-                    place.column(),
-                    problem.message(),
-                    problem.hint()));
+            String.format(
+                Locale.ROOT,
+                "%s %s %d:%d %s %s%n",
+                file.getFileName(),
+                problem.id(),
+                place.line(),
+                place.column(),
+                problem.message(),
+                problem.hint()));
       }
     }
     Path expected = BENCHES.resolve("findings.txt");

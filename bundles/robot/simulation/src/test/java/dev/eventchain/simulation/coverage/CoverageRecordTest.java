@@ -17,6 +17,7 @@ import dev.eventchain.simulation.chain.SimulatedChain;
 import dev.eventchain.simulation.coverage.SignalCoverage.Gap;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -147,12 +148,13 @@ class CoverageRecordTest {
     return CoverageRecord.of(simulated(), records, List.of()).stream()
         .map(
             each ->
-                "%s: %s, %d; %s"
-                    .formatted(
-                        each.name(),
-                        each.shown(),
-                        each.episodes(),
-                        each.gaps().stream().map(Gap::words).collect(Collectors.joining("; "))))
+                String.format(
+                    Locale.ROOT,
+                    "%s: %s, %d; %s",
+                    each.name(),
+                    each.shown(),
+                    each.episodes(),
+                    each.gaps().stream().map(Gap::words).collect(Collectors.joining("; "))))
         .toList();
   }
 

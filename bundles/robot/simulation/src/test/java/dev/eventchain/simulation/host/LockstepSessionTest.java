@@ -24,6 +24,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -117,7 +118,7 @@ class LockstepSessionTest {
   })
   void messageThatCannotBeIsNotBelieved(String time, String topic, String length, String what) {
     String rest = "04" + "0100" + time + topic + length;
-    String answer = String.format("%02x000000", rest.length() / 2) + rest;
+    String answer = String.format(Locale.ROOT, "%02x000000", rest.length() / 2) + rest;
     LockstepSession session = configured(answer, new ByteArrayOutputStream());
     DiagnosticException exception =
         assertThrows(DiagnosticException.class, () -> session.step(1_000_000L, List.of()));

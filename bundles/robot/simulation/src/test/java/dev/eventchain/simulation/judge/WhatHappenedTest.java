@@ -33,7 +33,10 @@ class WhatHappenedTest {
   }
 
   private static String words(Happened each) {
-    String end = each.end().isPresent() ? " to %.1f".formatted(each.end().getAsDouble()) : "";
+    String end =
+        each.end().isPresent()
+            ? String.format(Locale.ROOT, " to %.1f", each.end().getAsDouble())
+            : "";
     return String.format(Locale.ROOT, "%s %s: %.1f%s", each.kind(), each.name(), each.start(), end);
   }
 

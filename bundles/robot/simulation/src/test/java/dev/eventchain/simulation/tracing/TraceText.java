@@ -36,7 +36,8 @@ final class TraceText {
   /** Lets the next events be those of another machine or container. */
   TraceText on(int number, String host) {
     trace = number;
-    String head = "{Trace %d, Stream class ID 0, Stream ID 0}\n".formatted(number);
+    String head =
+        String.format(Locale.ROOT, "{Trace %d, Stream class ID 0, Stream ID 0}\n", number);
     return message(head + "Stream beginning:\n    Environment (1 entry):\n      hostname: " + host)
         .message("Stream end");
   }
@@ -51,7 +52,7 @@ final class TraceText {
   /** Adds an event; fields are pairs of a name and a value. */
   TraceText event(double time, String name, Object... fields) {
     text.append("[1,000 cycles, %s ns from origin]\n".formatted(number(at(time))));
-    text.append("{Trace %d, Stream class ID 0, Stream ID 0}\n".formatted(trace));
+    text.append(String.format(Locale.ROOT, "{Trace %d, Stream class ID 0, Stream ID 0}\n", trace));
     text.append("Event `ros2:").append(name).append("` (Class ID 1):\n");
     text.append("  Common context:\n    vpid: 16,022\n    vtid: ").append(thread).append(namespace);
     text.append("\n    procname: record\n  Payload:\n");

@@ -6,6 +6,7 @@ import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 
 /**
@@ -31,6 +32,7 @@ public record CampaignOutcome(Outcome outcome, String text) {
             .toList();
     String conclusion = wanting.isEmpty() ? "no errors" : "errors in " + String.join(", ", wanting);
     return new CampaignOutcome(
-        outcome, texts + "%d campaigns: %s%n".formatted(plans.size(), conclusion));
+        outcome,
+        texts + String.format(Locale.ROOT, "%d campaigns: %s%n", plans.size(), conclusion));
   }
 }

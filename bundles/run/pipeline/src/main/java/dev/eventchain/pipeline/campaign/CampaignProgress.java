@@ -34,8 +34,13 @@ final class CampaignProgress {
     double left = (System.nanoTime() - start) / 1e9 / done * (all - done);
     progress.step(
         Stage.SIMULATE,
-        "case %d of %d, %d not passed, %s left"
-            .formatted(known + done, known + all, failed, words(left)));
+        String.format(
+            Locale.ROOT,
+            "case %d of %d, %d not passed, %s left",
+            known + done,
+            known + all,
+            failed,
+            words(left)));
   }
 
   /** Returns a time in words: 8 s, 12 min, 3.5 h. */

@@ -223,12 +223,13 @@ final class CampaignScene {
 
   /** Returns what simulates here, which no file of the project says. */
   private String platform() {
-    return "Python %s, Java %d, %s, %s"
-        .formatted(
-            run.python(Stage.SIMULATE).version(),
-            Runtime.version().feature(),
-            System.getProperty("os.arch"),
-            Confinement.detect().name().toLowerCase(Locale.ROOT).replace('_', '-'));
+    return String.format(
+        Locale.ROOT,
+        "Python %s, Java %d, %s, %s",
+        run.python(Stage.SIMULATE).version(),
+        Runtime.version().feature(),
+        System.getProperty("os.arch"),
+        Confinement.detect().name().toLowerCase(Locale.ROOT).replace('_', '-'));
   }
 
   /** Returns whether all files that a result depends on have always been as at first. */

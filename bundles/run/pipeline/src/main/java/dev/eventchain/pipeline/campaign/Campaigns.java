@@ -31,6 +31,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** Campaigns of a project: many cases of a scenario, simulated on all processors. */
@@ -185,12 +186,13 @@ public final class Campaigns {
     simulate(timed, store);
     double seconds = (System.nanoTime() - start) / 1e9 / Math.max(1, timed.size()) * open.size();
     String text =
-        "%s, %d of them simulated already; the others take about %s.%s%n"
-            .formatted(
-                Coverage.counted(own.size(), "case"),
-                own.size() - open.size(),
-                CampaignProgress.words(seconds),
-                plan.boundary().isPresent() ? " The search for the boundary comes on top." : "");
+        String.format(
+            Locale.ROOT,
+            "%s, %d of them simulated already; the others take about %s.%s%n",
+            Coverage.counted(own.size(), "case"),
+            own.size() - open.size(),
+            CampaignProgress.words(seconds),
+            plan.boundary().isPresent() ? " The search for the boundary comes on top." : "");
     return new CampaignOutcome(Outcome.of(Coverage.NONE, run.takeFindings(), List.of()), text);
   }
 

@@ -25,6 +25,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** Simulates one case of a campaign again, with a recording, and keeps its scenario as a file. */
@@ -49,7 +50,7 @@ final class CaseReplay {
           DiagnosticException.Reason.INPUT,
           Diagnostic.of(
                   CampaignRules.VALUE_RANGE,
-                  "There is no case %d of %d.".formatted(number, rows.size()),
+                  String.format(Locale.ROOT, "There is no case %d of %d.", number, rows.size()),
                   SourceLocation.of(plan.file()))
               .withHint("Run the campaign without --case first: its table has the numbers."));
     }

@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 
 /** The finds of a search as scenarios of the project. */
 final class FoundScenarios {
@@ -41,16 +42,17 @@ final class FoundScenarios {
   private String text(SearchFinds.Find find, int number, Path folder) {
     String words = find.simple().id().words(scene.plan());
     String title = scene.scenario().title() + ": " + words;
-    return """
+    return String.format(
+            Locale.ROOT,
+            """
         # Found by a search (%s, run %d of %d), and made simpler: %s
         # %s
-        """
-            .formatted(
-                scene.plan().file().getFileName(),
-                find.run() + 1,
-                scene.plan().search().runs(),
-                words,
-                find.simple().result().reason().replaceAll("\\s+", " "))
+        """,
+            scene.plan().file().getFileName(),
+            find.run() + 1,
+            scene.plan().search().runs(),
+            words,
+            find.simple().result().reason().replaceAll("\\s+", " "))
         + scene.template().text(find.simple().id(), folder, name(number), title);
   }
 

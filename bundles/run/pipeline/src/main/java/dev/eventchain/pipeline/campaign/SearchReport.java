@@ -15,6 +15,7 @@ import dev.eventchain.pipeline.campaign.result.CampaignTable;
 import dev.eventchain.pipeline.search.SearchMethod;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Function;
 
 /** Result of a search, as findings, as text and as a table. */
@@ -69,8 +70,11 @@ final class SearchReport {
       findings.add(
           Diagnostic.of(
                   CampaignRules.SEARCH_FEW,
-                  "Only %d of %d runs were simulated: no other cases were left."
-                      .formatted(search.runs().size(), plan.search().runs()),
+                  String.format(
+                      Locale.ROOT,
+                      "Only %d of %d runs were simulated: no other cases were left.",
+                      search.runs().size(),
+                      plan.search().runs()),
                   place)
               .withHint("Loosen a condition under 'where', or give the factors more values."));
     }
@@ -118,8 +122,10 @@ final class SearchReport {
     int sets = SearchFinds.sets(search.runs()).size();
     if (sets > SearchFinds.MOST_SETS) {
       text.append(
-          "%d more sets of criteria fail, which the table has%n"
-              .formatted(sets - SearchFinds.MOST_SETS));
+          String.format(
+              Locale.ROOT,
+              "%d more sets of criteria fail, which the table has%n",
+              sets - SearchFinds.MOST_SETS));
     }
     if (more > 0) {
       String cases = Coverage.counted(more, "more case");
@@ -133,12 +139,13 @@ final class SearchReport {
     for (int i = 0; i < finds.size(); i++) {
       SearchFinds.Find find = finds.get(i);
       text.append(
-          "found: %s: %s, by %s (case %d made simpler)%n"
-              .formatted(
-                  files.get(i),
-                  find.simple().id().words(plan),
-                  find.criteria().stream().map(SearchReport::brief).collect(joining("; ")),
-                  find.run() + 1));
+          String.format(
+              Locale.ROOT,
+              "found: %s: %s, by %s (case %d made simpler)%n",
+              files.get(i),
+              find.simple().id().words(plan),
+              find.criteria().stream().map(SearchReport::brief).collect(joining("; ")),
+              find.run() + 1));
     }
     return text.toString();
   }

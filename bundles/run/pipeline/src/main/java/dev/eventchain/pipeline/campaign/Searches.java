@@ -26,6 +26,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -199,7 +200,9 @@ public final class Searches {
     scene
         .run()
         .progress()
-        .step(Stage.SIMULATE, "run %d, %d planned".formatted(number + 1, settings.runs()));
+        .step(
+            Stage.SIMULATE,
+            String.format(Locale.ROOT, "run %d, %d planned", number + 1, settings.runs()));
   }
 
   private CampaignOutcome outcome(SearchSpace space, Results results, CampaignStore store) {

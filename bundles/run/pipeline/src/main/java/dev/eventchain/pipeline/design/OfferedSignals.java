@@ -16,6 +16,7 @@ import dev.eventchain.retrieval.Shortlist.Entry;
 import dev.eventchain.retrieval.Shortlist.Text;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -65,7 +66,7 @@ public final class OfferedSignals {
 
   /** Returns what was found, in words: ", offered 22 of 1367 signals". */
   String words() {
-    return ", offered %d of %d signals".formatted(list.signals().size(), all);
+    return String.format(Locale.ROOT, ", offered %d of %d signals", list.signals().size(), all);
   }
 
   /** Writes the list, before anybody is asked, and reports if there is nothing to offer. */

@@ -212,7 +212,8 @@ public final class Diagrams {
             : "their layout takes more than " + LONGEST.toSeconds() + " s of processor time";
     return Diagnostic.of(
             DiagramRules.TOO_LARGE,
-            "The %s diagram has %d boxes and arrows; %s.".formatted(kind, size, problem),
+            String.format(
+                Locale.ROOT, "The %s diagram has %d boxes and arrows; %s.", kind, size, problem),
             SourceLocation.of(source))
         .withHint(
             kind == Kind.INSTANCE

@@ -12,6 +12,7 @@ import dev.eventchain.pipeline.stage.RunContext;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 
@@ -58,7 +59,7 @@ final class EvaluationFolder implements AutoCloseable {
     safe = safe.substring(0, Math.min(safe.length(), LONGEST_NAME));
     boolean same = safe.equals(model) && !RESERVED.contains(safe);
     String hash = Sha256.of(model).hex().substring(0, HASH);
-    return "%s/run-%02d".formatted(same ? safe : safe + "-" + hash, number);
+    return String.format(Locale.ROOT, "%s/run-%02d", same ? safe : safe + "-" + hash, number);
   }
 
   Path path(String name) {

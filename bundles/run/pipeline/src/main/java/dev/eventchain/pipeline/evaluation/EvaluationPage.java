@@ -81,7 +81,7 @@ final class EvaluationPage {
     }
     long counted = runs.stream().filter(EvaluatedRun::isCounted).count();
     add("<dl class=\"figures\">");
-    figure("Runs that count", "%d of %d".formatted(counted, runs.size()));
+    figure("Runs that count", String.format(Locale.ROOT, "%d of %d", counted, runs.size()));
     figure("Runs of each model", Integer.toString(options.runs()));
     figure("Answers by", options.kindOfSource(project));
     add("</dl>\n");

@@ -10,6 +10,7 @@ import dev.eventchain.pipeline.run.Stage;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** The result of all runs of an evaluation, in all its formats. */
@@ -133,8 +134,10 @@ final class EvaluationResult {
     return finding(
         Diagnostic.of(
             EvaluationRules.REFERENCE_MISSING,
-            "In %d runs no code was judged: no chain was designed, and the project has none."
-                .formatted(runs),
+            String.format(
+                Locale.ROOT,
+                "In %d runs no code was judged: no chain was designed, and the project has none.",
+                runs),
             place()),
         "Write a chain to model/chain.xmi by hand, or run the project first.");
   }

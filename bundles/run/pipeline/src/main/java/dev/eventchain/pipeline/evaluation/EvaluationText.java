@@ -147,7 +147,10 @@ final class EvaluationText {
   private void repairs(List<RepairResult> repairs) {
     String text =
         repairs.stream()
-            .map(it -> "%s: %d of %d right".formatted(it.error(), it.right(), it.sentBack()))
+            .map(
+                it ->
+                    String.format(
+                        Locale.ROOT, "%s: %d of %d right", it.error(), it.right(), it.sentBack()))
             .collect(Collectors.joining("\n" + " ".repeat(20)));
     if (!text.isEmpty()) {
       line("repairs", text, "", "");

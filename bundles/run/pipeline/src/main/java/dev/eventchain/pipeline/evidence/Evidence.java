@@ -88,7 +88,7 @@ public record Evidence(
 
     /** Returns it for people: "notices 9 of 11 faults, a sample of 40". */
     public String words() {
-      String words = "notices %d of %d faults".formatted(noticed, faults);
+      String words = String.format(Locale.ROOT, "notices %d of %d faults", noticed, faults);
       return sampleOf.isPresent() ? words + ", a sample of " + sampleOf.getAsLong() : words;
     }
   }

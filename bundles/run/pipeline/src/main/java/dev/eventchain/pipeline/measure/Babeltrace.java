@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Traces as babeltrace2 writes them: its text in a file, or a folder in the Common Trace Format, on
@@ -81,7 +82,7 @@ final class Babeltrace {
     int code = process.waitFor();
     if (code != 0) {
       throw RecordedTrace.unreadable(
-          "babeltrace2 ended with exit code %d: %s".formatted(code, last(errors)),
+          String.format(Locale.ROOT, "babeltrace2 ended with exit code %d: %s", code, last(errors)),
           SourceLocation.of(folder));
     }
     if (refused != null) {

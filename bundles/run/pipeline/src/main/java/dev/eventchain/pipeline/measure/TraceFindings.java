@@ -18,6 +18,7 @@ import dev.eventchain.simulation.verdict.Measurements.Statistics;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.Latency;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -58,7 +59,9 @@ final class TraceFindings {
     }
     findings.missing(trace);
     findings.idle();
-    findings.messages();
+    findings.unmatched();
+    findings.earlier();
+    findings.outside();
     model.chain().getSoftware().forEach(findings::times);
     findings.latencies();
     return findings.found;
@@ -156,31 +159,48 @@ final class TraceFindings {
     }
   }
 
-  private void messages() {
+  private void unmatched() {
     for (TraceMeasurement.Unmatched each : measured.unmatched()) {
       found.add(
           Diagnostic.of(
                   MeasureRules.TRACE_MESSAGE_UNMATCHED,
-                  "%d times, it is not known which message of %s '%s' read."
-                      .formatted(each.count(), each.topic(), each.reader()),
+                  String.format(
+                      Locale.ROOT,
+                      "%d times, it is not known which message of %s '%s' read.",
+                      each.count(),
+                      each.topic(),
+                      each.reader()),
                   trace)
               .withHint(
                   "Trace all publishers of the topic, without intra-process communication, and with one thread for each node in Python."));
     }
+  }
+
+  private void earlier() {
     for (TraceMeasurement.Unmatched each : measured.earlier()) {
       found.add(
           Diagnostic.of(
               MeasureRules.TRACE_MESSAGE_EARLIER,
-              "Messages of %s that '%s' read were published before the trace began, and are left out: %d."
-                  .formatted(each.topic(), each.reader(), each.count()),
+              String.format(
+                  Locale.ROOT,
+                  "Messages of %s that '%s' read were published before the trace began, and are left out: %d.",
+                  each.topic(),
+                  each.reader(),
+                  each.count()),
               trace));
     }
+  }
+
+  private void outside() {
     for (Map.Entry<String, Integer> each : measured.outside().entrySet()) {
       found.add(
           Diagnostic.of(
                   MeasureRules.TRACE_PUBLISHER_MISSING,
-                  "The publisher of %s is not in the trace: its %d messages count as published at the time that they carry, by the clock of another process or machine."
-                      .formatted(each.getKey(), each.getValue()),
+                  String.format(
+                      Locale.ROOT,
+                      "The publisher of %s is not in the trace: its %d messages count as published at the time that they carry, by the clock of another process or machine.",
+                      each.getKey(),
+                      each.getValue()),
                   trace)
               .withHint(
                   "Trace the publisher, too; or suppress this finding where its clock is that of this machine, or synchronized."));
@@ -290,12 +310,13 @@ final class TraceFindings {
     found.add(
         Diagnostic.of(
                 MeasureRules.TRACE_LATENCY_UNANSWERED,
-                "'%s' allows %s ms, but %s; never answered: %d."
-                    .formatted(
-                        constraint.getName(),
-                        ms(maximum),
-                        until.formatted(ms(unanswered.longest()), name(constraint.getLast())),
-                        unanswered.count()),
+                String.format(
+                    Locale.ROOT,
+                    "'%s' allows %s ms, but %s; never answered: %d.",
+                    constraint.getName(),
+                    ms(maximum),
+                    until.formatted(ms(unanswered.longest()), name(constraint.getLast())),
+                    unanswered.count()),
                 model.locate(constraint, Literals.LATENCY_CONSTRAINT__MAXIMUM))
             .withHint(
                 "A component on the way has stopped, hangs, or reads messages too seldom. Nodes that are ended before the trace look as if they hung: stop the trace first."));

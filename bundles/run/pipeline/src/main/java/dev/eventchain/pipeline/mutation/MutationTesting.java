@@ -30,6 +30,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -187,7 +188,8 @@ public final class MutationTesting {
     run.progress()
         .step(
             Stage.SIMULATE,
-            "mutant %d of %d: %s".formatted(known + tried, all, result.component()));
+            String.format(
+                Locale.ROOT, "mutant %d of %d: %s", known + tried, all, result.component()));
   }
 
   private void write() {

@@ -17,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
@@ -113,7 +114,8 @@ public final class EarlierRun {
     long other = now.criteria().stream().filter(before::differs).count();
     return other == 0
         ? "; as before"
-        : "; other figures in %d of %d criteria".formatted(other, now.criteria().size());
+        : String.format(
+            Locale.ROOT, "; other figures in %d of %d criteria", other, now.criteria().size());
   }
 
   /** Returns the scenarios of this run, each with its earlier measurements, if any. */

@@ -138,9 +138,12 @@ public final class PageCharts {
           number(105 - height),
           number(320.0 / axis.count() - 1),
           number(height),
-          "%d from %s to %s"
-              .formatted(
-                  count, ChartAxis.text(ticks.get(bin)), ChartAxis.text(ticks.get(bin + 1))));
+          String.format(
+              Locale.ROOT,
+              "%d from %s to %s",
+              count,
+              ChartAxis.text(ticks.get(bin)),
+              ChartAxis.text(ticks.get(bin + 1))));
     }
   }
 

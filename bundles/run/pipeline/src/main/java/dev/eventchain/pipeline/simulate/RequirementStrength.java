@@ -114,8 +114,13 @@ public final class RequirementStrength {
         measured.faults() == 0
             ? "No standard fault of %s changes anything in the scenarios that name %s, so its criteria cannot notice any."
                 .formatted(components(measured), item.id())
-            : "The criteria of %s notice none of %d standard faults of %s: %s."
-                .formatted(item.id(), measured.faults(), components(measured), named(measured));
+            : String.format(
+                Locale.ROOT,
+                "The criteria of %s notice none of %d standard faults of %s: %s.",
+                item.id(),
+                measured.faults(),
+                components(measured),
+                named(measured));
     return finding(
         item,
         SimulateRules.SIMULATION_STRENGTH_NONE,
@@ -184,7 +189,9 @@ public final class RequirementStrength {
     String these = " of %s that count for the bound".formatted(components(counted));
     return others == 0
         ? these
-        : these + ", without %d of outputs that other requirements judge".formatted(others);
+        : these
+            + String.format(
+                Locale.ROOT, ", without %d of outputs that other requirements judge", others);
   }
 
   private static Diagnostic finding(
@@ -273,7 +280,8 @@ public final class RequirementStrength {
   }
 
   private static String sample(Strength strength) {
-    return "a sample of %d of %d standard faults".formatted(strength.tried(), strength.faults());
+    return String.format(
+        Locale.ROOT, "a sample of %d of %d standard faults", strength.tried(), strength.faults());
   }
 
   /** Returns what a stage says of it: the number of runs, or that there is no measurement. */
@@ -296,7 +304,9 @@ public final class RequirementStrength {
    * those that it does not notice.
    */
   public static String words(RequirementOutcome.Strength strength) {
-    String words = "notices %d of %d faults".formatted(strength.noticed(), strength.faults());
+    String words =
+        String.format(
+            Locale.ROOT, "notices %d of %d faults", strength.noticed(), strength.faults());
     if (strength.sampleOf().isPresent()) {
       words += ", a sample of " + strength.sampleOf().getAsLong();
     }

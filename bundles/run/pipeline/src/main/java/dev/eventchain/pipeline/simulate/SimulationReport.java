@@ -186,7 +186,7 @@ final class SimulationReport {
             .orElse(
                 criteria.size() == 1
                     ? "1 criterion holds"
-                    : "%d criteria hold".formatted(criteria.size()));
+                    : String.format(Locale.ROOT, "%d criteria hold", criteria.size()));
     return verdict
         .latency()
         .map(latency -> words + format(", latency up to %.0f ms", latency.maximum()))

@@ -92,7 +92,8 @@ final class UnshownSignals {
             .limit(NAMED)
             .map(each -> each.getKey().name() + " " + each.getValue().words())
             .collect(Collectors.joining("; "));
-    String more = all.size() > NAMED ? "; and %d more".formatted(all.size() - NAMED) : "";
+    String more =
+        all.size() > NAMED ? String.format(Locale.ROOT, "; and %d more", all.size() - NAMED) : "";
     return Diagnostic.of(
             SimulateRules.SIMULATION_SIGNAL_UNSHOWN,
             "No scenario shows " + named + more + ".",

@@ -8,6 +8,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -146,7 +147,8 @@ class CarefulDriverTest {
       for (int other = 10; other < speed; other += 20) {
         for (String aside : new String[] {"0.5", "1", "1.5"}) {
           for (int distance = 5; distance <= 50; distance += 5) {
-            String values = "[%d, %d, %s, %d]".formatted(speed, other, aside, distance);
+            String values =
+                String.format(Locale.ROOT, "[%d, %d, %s, %d]", speed, other, aside, distance);
             End end = cutIn(speed, other, Double.parseDouble(aside), distance);
             left += isLeftOut(kept, values, end) ? 1 : 0;
           }
@@ -164,7 +166,7 @@ class CarefulDriverTest {
     for (int speed = 20; speed <= 50; speed += 15) {
       for (String aside : new String[] {"0.5", "1", "1.5"}) {
         for (String headway : new String[] {"0.4", "0.7", "1", "1.5"}) {
-          String values = "[%d, %s, %s]".formatted(speed, aside, headway);
+          String values = String.format(Locale.ROOT, "[%d, %s, %s]", speed, aside, headway);
           End end = cutOut(speed, Double.parseDouble(aside), Double.parseDouble(headway));
           left += isLeftOut(kept, values, end) ? 1 : 0;
         }
@@ -181,7 +183,7 @@ class CarefulDriverTest {
     for (int speed = 20; speed <= 60; speed += 20) {
       for (String deceleration : new String[] {"6", "8", "9.81"}) {
         for (String headway : new String[] {"1.2", "1.6", "2"}) {
-          String values = "[%d, %s, %s]".formatted(speed, deceleration, headway);
+          String values = String.format(Locale.ROOT, "[%d, %s, %s]", speed, deceleration, headway);
           End end =
               behindABrakingOne(
                   speed, Double.parseDouble(deceleration), Double.parseDouble(headway));

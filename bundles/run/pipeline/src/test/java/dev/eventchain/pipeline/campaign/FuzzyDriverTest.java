@@ -7,6 +7,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.plan.CaseList;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -146,7 +147,8 @@ class FuzzyDriverTest {
             double lateral = Double.parseDouble(aside);
             boolean soon = avoids(new CutIn(speed, other, lateral, distance), 0);
             boolean late = avoids(new CutIn(speed, other, lateral, distance), 100);
-            String values = "[%d, %d, %s, %d]".formatted(speed, other, aside, distance);
+            String values =
+                String.format(Locale.ROOT, "[%d, %d, %s, %d]", speed, other, aside, distance);
             assertEquals(soon, late, () -> values + " depends on when the driver looks");
             hit += soon ? 0 : 1;
             if (soon) {
@@ -181,7 +183,7 @@ class FuzzyDriverTest {
           double distance = speed / 3.6 * seen + LENGTH + 1;
           boolean soon = avoids(standing(speed, distance), 0);
           boolean late = avoids(standing(speed, distance), 199);
-          String values = "[%d, %s, %s]".formatted(speed, aside, headway);
+          String values = String.format(Locale.ROOT, "[%d, %s, %s]", speed, aside, headway);
           assertEquals(soon, late, () -> values + " depends on when the driver looks");
           hit += soon ? 0 : 1;
           if (soon) {

@@ -7,6 +7,7 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.SplittableRandom;
 
@@ -64,18 +65,22 @@ public final class CaseList {
     Sampling.Kind kind = plan.sampling().kind();
     double drawn = (double) plan.sampling().cases() * plan.repetitions();
     if (kind.isDrawn() && drawn > MOST) {
-      throw tooMany("These are %.3g cases".formatted(drawn), "Draw or repeat fewer.");
+      throw tooMany(
+          String.format(Locale.ROOT, "These are %.3g cases", drawn), "Draw or repeat fewer.");
     }
     if (kind == Sampling.Kind.ROWS && (double) rowCount() * plan.repetitions() > MOST) {
       throw tooMany("The table has too many rows for these repetitions", "Repeat fewer times.");
     }
     if (kind == Sampling.Kind.HALTON && plan.factors().size() > PRIMES.length) {
       throw tooMany(
-          "A Halton sequence has at most %d factors here".formatted(PRIMES.length),
+          String.format(
+              Locale.ROOT, "A Halton sequence has at most %d factors here", PRIMES.length),
           "Use `sampling: {latin_hypercube: 1000}`.");
     }
     if (kind == Sampling.Kind.PAIRS && pairs() > MOST_PAIRS) {
-      throw tooMany("There are %.3g pairs of values".formatted(pairs()), "Use fewer values.");
+      throw tooMany(
+          String.format(Locale.ROOT, "There are %.3g pairs of values", pairs()),
+          "Use fewer values.");
     }
   }
 
@@ -114,7 +119,8 @@ public final class CaseList {
     }
     if (all > MOST) {
       throw tooMany(
-          "The grid has %.3g cases, and at most %d can be simulated".formatted(all, MOST),
+          String.format(
+              Locale.ROOT, "The grid has %.3g cases, and at most %d can be simulated", all, MOST),
           "Draw some of them: `sampling: {latin_hypercube: 1000}`.");
     }
     Set<List<BigDecimal>> combinations = new LinkedHashSet<>(List.of(List.of()));

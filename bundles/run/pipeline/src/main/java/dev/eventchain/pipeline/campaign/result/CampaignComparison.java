@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -97,11 +98,12 @@ public final class CampaignComparison {
   }
 
   public String text() {
-    return "%d pass now, %d no longer pass, %d as before%s%n"
-        .formatted(
-            changes(true).size(),
-            changes(false).size(),
-            same,
-            added == 0 ? "" : ", " + Coverage.counted(added, "case") + " not in the other one");
+    return String.format(
+        Locale.ROOT,
+        "%d pass now, %d no longer pass, %d as before%s%n",
+        changes(true).size(),
+        changes(false).size(),
+        same,
+        added == 0 ? "" : ", " + Coverage.counted(added, "case") + " not in the other one");
   }
 }

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.TreeMap;
 
 /** Puts the parts of a campaign together. */
@@ -108,7 +109,10 @@ public final class CampaignMerge {
     for (int number = 1; number <= count; number++) {
       CampaignStore.Cases part = parts.get(number);
       if (part == null || part.shard().count() != count) {
-        problem(folders.get(0), "and the others lack part %d of %d".formatted(number, count), "");
+        problem(
+            folders.get(0),
+            String.format(Locale.ROOT, "and the others lack part %d of %d", number, count),
+            "");
       }
     }
   }

@@ -199,7 +199,8 @@ public final class CampaignPage {
       raw("<td class=\"untested\" title=\"not tested\"></td>");
     } else {
       String kind = passed + untested == 0 ? "failed" : "mixed";
-      String words = "%d of %d did not pass".formatted(cases.size() - passed, cases.size());
+      String words =
+          String.format(Locale.ROOT, "%d of %d did not pass", cases.size() - passed, cases.size());
       String shown = cases.size() == 1 ? "" : Long.toString(cases.size() - passed);
       add("<td class=\"%s\" title=\"%s\">%s</td>", kind, words, shown);
     }

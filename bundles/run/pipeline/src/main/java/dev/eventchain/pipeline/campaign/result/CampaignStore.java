@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -121,7 +122,7 @@ public final class CampaignStore implements AutoCloseable {
   }
 
   private static String part(int number) {
-    return PARTS + "/%06d.json".formatted(number);
+    return PARTS + String.format(Locale.ROOT, "/%06d.json", number);
   }
 
   private boolean recall(String name) {

@@ -17,6 +17,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -102,14 +103,15 @@ public final class CampaignSummary {
   private String said(List<CampaignRow> all, String word) {
     CampaignRow row = all.get(0);
     int number = rows.indexOf(row) + 1;
-    return "%d of %s %s, the first is case %d (%s): %s."
-        .formatted(
-            all.size(),
-            Coverage.counted(rows.size(), "case"),
-            word,
-            number,
-            row.id().words(plan),
-            row.result().reason().replaceFirst("\\.$", ""));
+    return String.format(
+        Locale.ROOT,
+        "%d of %s %s, the first is case %d (%s): %s.",
+        all.size(),
+        Coverage.counted(rows.size(), "case"),
+        word,
+        number,
+        row.id().words(plan),
+        row.result().reason().replaceFirst("\\.$", ""));
   }
 
   /**
@@ -177,13 +179,14 @@ public final class CampaignSummary {
   public String text() {
     StringBuilder text =
         new StringBuilder(
-            "%s: %d passed, %d failed, %d not tested, %d ended by an error%n"
-                .formatted(
-                    Coverage.counted(rows.size(), "case"),
-                    count(Label.PASSED),
-                    count(Label.FAILED),
-                    count(Label.UNTESTED),
-                    count(Label.ERROR)));
+            String.format(
+                Locale.ROOT,
+                "%s: %d passed, %d failed, %d not tested, %d ended by an error%n",
+                Coverage.counted(rows.size(), "case"),
+                count(Label.PASSED),
+                count(Label.FAILED),
+                count(Label.UNTESTED),
+                count(Label.ERROR)));
     plan.boundary()
         .ifPresent(
             boundary ->

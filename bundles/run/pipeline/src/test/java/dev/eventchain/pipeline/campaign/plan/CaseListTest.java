@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
@@ -80,7 +81,8 @@ class CaseListTest {
   void aGridOfABillionIsRefused() {
     StringBuilder text = new StringBuilder("scenario: s\nfactors:\n");
     for (int i = 0; i < 9; i++) {
-      text.append("  f%d: {path: a%d, from: 1, to: 10, step: 1}\n".formatted(i, i));
+      text.append(
+          String.format(Locale.ROOT, "  f%d: {path: a%d, from: 1, to: 10, step: 1}\n", i, i));
     }
     DiagnosticException refused =
         assertThrows(DiagnosticException.class, () -> cases(text.toString()));
@@ -138,7 +140,7 @@ class CaseListTest {
   void pairsHaveAnyTwoValuesTogetherInFewCases() throws IOException {
     StringBuilder text = new StringBuilder("scenario: s\nfactors:\n");
     for (int i = 0; i < 5; i++) {
-      text.append("  f%d: {path: a%d, values: [1, 2, 3, 4]}\n".formatted(i, i));
+      text.append(String.format(Locale.ROOT, "  f%d: {path: a%d, values: [1, 2, 3, 4]}\n", i, i));
     }
     List<CampaignCase> cases = cases(text + "sampling: {pairs: true}\n");
     Set<String> pairs = new HashSet<>();

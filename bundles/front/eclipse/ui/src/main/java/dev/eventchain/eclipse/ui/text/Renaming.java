@@ -9,6 +9,7 @@ import dev.eventchain.editing.TextPosition;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -115,7 +116,11 @@ final class Renaming {
     List<FileRange> places =
         rename.edits().stream().map(each -> new FileRange(each.file(), each.range())).toList();
     String message =
-        "%d changes in %d files. OK makes all of them:".formatted(places.size(), edits.size());
+        String.format(
+            Locale.ROOT,
+            "%d changes in %d files. OK makes all of them:",
+            places.size(),
+            edits.size());
     if (Declarations.list(editor, TITLE, message, Declarations.listed(planned.texts(), places))
         == null) {
       return;
