@@ -14,7 +14,8 @@ import java.util.OptionalLong;
  * @param violated the rules that errors name
  * @param strength why the strength of requirements was not measured, or the size of its sample;
  *     empty if all faults were driven
- * @param unshown what no scenario shows of signals; empty unless every scenario passed
+ * @param unshown what no scenario shows of signals; absent if that was not recorded, or unless every
+ *     scenario passed
  * @param requirements the outcome of each requirement; empty if there is no verdict
  */
 public record VerdictFile(
@@ -26,7 +27,7 @@ public record VerdictFile(
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<String> violated,
     Optional<String> strength,
     Optional<List<RequirementOutcome>> requirements,
-    @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Unshown> unshown,
+    Optional<List<Unshown>> unshown,
     List<Scenario> scenarios,
     @JsonInclude(JsonInclude.Include.NON_EMPTY) List<SimulatedFault> faults) {
 
@@ -49,7 +50,7 @@ public record VerdictFile(
 
   /** Copies the lists, of which JSON omits some where they are empty. */
   public VerdictFile {
-    unshown = unshown == null ? List.of() : List.copyOf(unshown);
+    unshown = unshown == null ? Optional.empty() : unshown.map(List::copyOf);
     violated = violated == null ? List.of() : List.copyOf(violated);
     scenarios = List.copyOf(scenarios);
     faults = faults == null ? List.of() : List.copyOf(faults);
@@ -70,7 +71,7 @@ public record VerdictFile(
         List.of(),
         Optional.empty(),
         Optional.empty(),
-        List.of(),
+        Optional.empty(),
         List.of(),
         List.of());
   }

@@ -51,8 +51,12 @@ final class UnshownSignals {
         signal.gaps().stream().map(Gap::words).toList());
   }
 
-  /** Returns each gap of each signal, in the order of the chain. */
-  List<VerdictFile.Unshown> listed() {
+  /** Returns each gap of each signal, in the order of the chain; empty if nothing was looked at. */
+  Optional<List<VerdictFile.Unshown>> listed() {
+    return Optional.of(signals).filter(all -> !all.isEmpty()).map(UnshownSignals::listed);
+  }
+
+  private static List<VerdictFile.Unshown> listed(List<SignalCoverage> signals) {
     return signals.stream()
         .flatMap(
             signal ->
