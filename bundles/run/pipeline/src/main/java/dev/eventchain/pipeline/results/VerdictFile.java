@@ -14,8 +14,8 @@ import java.util.OptionalLong;
  * @param violated the rules that errors name
  * @param strength why the strength of requirements was not measured, or the size of its sample;
  *     empty if all faults were driven
- * @param unshown what no scenario shows of signals; absent if that was not recorded, or unless every
- *     scenario passed
+ * @param unshown what no scenario shows of signals; absent if that was not recorded, or unless
+ *     every scenario passed
  * @param requirements the outcome of each requirement; empty if there is no verdict
  */
 public record VerdictFile(
