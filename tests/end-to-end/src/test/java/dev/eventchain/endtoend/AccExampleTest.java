@@ -30,7 +30,7 @@ class AccExampleTest {
     project
         .run()
         .expect(0)
-        .says("PASSED: 19 of 19 scenarios passed, 11 requirements proved")
+        .says("PASSED: 21 of 21 scenarios passed, 11 requirements proved")
         .says("0 errors, 0 warnings");
     Program.requireBoundsHold(project.path());
   }

@@ -33,7 +33,7 @@ class ChildPresenceTest {
   @InTurn
   @Test
   void everyRequirementIsProvedFromTheRecordings() throws IOException {
-    project.run().expect(0).says("PASSED: 14 of 14 scenarios passed, 7 requirements proved");
+    project.run().expect(0).says("PASSED: 15 of 15 scenarios passed, 7 requirements proved");
     String report = Files.readString(project.path().resolve("out/report.html"));
     assertTrue(report.contains("\"signals\":\"" + SEATS + "\",\"number\":6"));
   }

@@ -37,6 +37,8 @@ class OwnFunctionTest {
         .run()
         .expect(0)
         .says("PASSED: 2 of 2 scenarios passed, 4 requirements proved")
+        .says("info: No scenario shows /brake/request.active a second time;")
+        .says("[simulation.signal.unshown again]")
         .says("0 errors, 0 warnings");
     new Program()
         .run("bench", project.path())

@@ -1,6 +1,7 @@
 package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -69,6 +70,14 @@ final class Program {
       assertTrue(
           out.contains(text) || err.contains(text),
           () -> "nowhere: " + text + "\n--- out\n" + out + "\n--- err\n" + err);
+      return this;
+    }
+
+    /** Fails with the whole output if it contains a text. */
+    Ended saysNothingOf(String text) {
+      assertFalse(
+          out.contains(text) || err.contains(text),
+          () -> "unexpected: " + text + "\n--- out\n" + out + "\n--- err\n" + err);
       return this;
     }
   }
