@@ -18,6 +18,7 @@ import dev.eventchain.pipeline.campaign.plan.CaseList;
 import dev.eventchain.pipeline.campaign.plan.Factor;
 import dev.eventchain.pipeline.campaign.plan.NumberPath;
 import dev.eventchain.pipeline.campaign.plan.Purpose;
+import dev.eventchain.pipeline.campaign.plan.SearchSettings;
 import dev.eventchain.pipeline.campaign.result.CampaignRow;
 import dev.eventchain.simulation.CaseSimulation;
 import dev.eventchain.simulation.bench.Bench;
@@ -28,6 +29,7 @@ import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -102,7 +104,11 @@ final class ScenarioTemplate {
 
   /** Returns the texts of the criteria of each kind of cases to which a search may come. */
   List<List<String>> criteriaOfSearch() {
-    return criteria.kinds(new SearchSpace(plan).tried()).stream()
+    return textsOfKinds(criteria.kinds(new SearchSpace(plan).tried()));
+  }
+
+  private List<List<String>> textsOfKinds(Collection<List<CampaignCase>> kinds) {
+    return kinds.stream()
         .flatMap(kind -> kind.stream().map(this::texts).filter(it -> !it.isEmpty()).limit(1))
         .toList();
   }
@@ -150,19 +156,29 @@ final class ScenarioTemplate {
 
   /** Returns what is wrong with the criteria of cases, and with those on which points depend. */
   private List<Diagnostic> ofCriteria(Purpose purpose) {
-    if (plan.criteria().isEmpty() && plan.points().isEmpty()) {
+    Optional<SearchSettings.Named> ofBoundary =
+        plan.boundary().flatMap(CampaignPlan.Boundary::criterion);
+    if (plan.criteria().isEmpty() && plan.points().isEmpty() && ofBoundary.isEmpty()) {
       return List.of();
     }
     try {
       List<CampaignCase> all =
           purpose == Purpose.SEARCH ? new SearchSpace(plan).tried() : new CaseList(plan).cases();
-      List<Diagnostic> found = criteria.check(all, each -> ofCriteria(each, this::read));
-      return found.isEmpty() && points.isPresent()
-          ? points.get().check(criteria.kinds(all))
-          : found;
+      List<Diagnostic> found =
+          new ArrayList<>(criteria.check(all, each -> ofCriteria(each, this::read)));
+      if (found.isEmpty()) {
+        points.ifPresent(it -> found.addAll(it.check(criteria.kinds(all))));
+        ofBoundary.flatMap(it -> ofBoundary(it, all)).ifPresent(found::add);
+      }
+      return found;
     } catch (DiagnosticException e) {
       return e.diagnostics();
     }
+  }
+
+  private Optional<Diagnostic> ofBoundary(SearchSettings.Named named, List<CampaignCase> all) {
+    return NamedCriterion.problem(
+        CampaignRules.CRITERIA, named, plan.scenario(), textsOfKinds(criteria.kinds(all)));
   }
 
   /** Returns what is wrong with the criteria of cases that ended by an error because of that. */

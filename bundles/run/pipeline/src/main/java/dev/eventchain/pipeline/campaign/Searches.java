@@ -3,7 +3,6 @@ package dev.eventchain.pipeline.campaign;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Outcome;
@@ -122,25 +121,15 @@ public final class Searches {
     if (settings.criterion().isEmpty()) {
       return;
     }
-    SearchSettings.Named named = settings.criterion().get();
-    List<List<String>> all = scene.template().criteriaOfSearch();
-    long meant = all.stream().mapToLong(it -> count(it, named.text())).max().orElse(0);
-    if (meant != 1) {
-      String words = meant == 0 ? "No criterion of '%s' begins" : "Several criteria of '%s' begin";
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.of(
-                  CampaignRules.SEARCH_CRITERION,
-                  words.formatted(plan.scenario()) + " with '" + named.text() + "'.",
-                  named.place())
-              .withHint(
-                  NearestName.hint(
-                      named.text(), all.stream().flatMap(List::stream).distinct().toList())));
-    }
-  }
-
-  private static long count(List<String> texts, String beginning) {
-    return texts.stream().filter(text -> text.startsWith(beginning)).count();
+    NamedCriterion.problem(
+            CampaignRules.SEARCH_CRITERION,
+            settings.criterion().get(),
+            plan.scenario(),
+            scene.template().criteriaOfSearch())
+        .ifPresent(
+            found -> {
+              throw new DiagnosticException(DiagnosticException.Reason.INPUT, found);
+            });
   }
 
   /** Searches on a thread of its own, while this one simulates what is asked for. */

@@ -48,9 +48,11 @@ public record CampaignPlan(
    * A search for the values at which the verdict flips.
    *
    * @param factor the number of the factor along which it is searched
-   * @param resolution the largest distance of a value that passes from one that does not
+   * @param resolution the largest distance of two values with different verdicts
+   * @param criterion the one whose outcome flips; without it, the verdict of the case does
    */
-  public record Boundary(int factor, BigDecimal resolution) {}
+  public record Boundary(
+      int factor, BigDecimal resolution, Optional<SearchSettings.Named> criterion) {}
 
   public CampaignPlan {
     factors = List.copyOf(factors);

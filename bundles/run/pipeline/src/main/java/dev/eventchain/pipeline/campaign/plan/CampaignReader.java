@@ -258,6 +258,7 @@ public final class CampaignReader {
       ObjectReader part, List<Factor> factors, Sampling sampling) {
     String name = part.requiredText("factor");
     double resolution = part.requiredNumber("resolution", NumberRange.of(1e-9, 1e12));
+    Optional<SearchSettings.Named> criterion = SearchSettings.criterion(part);
     part.refuseOthers();
     List<String> names = factors.stream().map(Factor::name).toList();
     OptionalInt index =
@@ -273,6 +274,13 @@ public final class CampaignReader {
       String message = "A boundary is searched from a grid on.";
       part.find(CampaignRules.VALUE_RANGE, message, part.location());
     }
-    return Optional.of(new CampaignPlan.Boundary(index.getAsInt(), BigDecimal.valueOf(resolution)));
+    Levels levels = factors.get(index.getAsInt()).levels();
+    if (!levels.isContinuous() && levels.checked().size() < 2) {
+      String message = "'" + name + "' has one value, and a boundary lies between two.";
+      part.find(CampaignRules.VALUE_RANGE, message, part.at("factor"));
+    }
+    BigDecimal plain =
+        new BigDecimal(BigDecimal.valueOf(resolution).stripTrailingZeros().toPlainString());
+    return Optional.of(new CampaignPlan.Boundary(index.getAsInt(), plain, criterion));
   }
 }

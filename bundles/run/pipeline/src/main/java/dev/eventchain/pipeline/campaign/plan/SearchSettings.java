@@ -33,8 +33,7 @@ public record SearchSettings(
   public record Named(String text, SourceLocation place) {}
 
   public static SearchSettings read(ObjectReader part) {
-    Optional<Named> criterion =
-        part.text("criterion").map(text -> new Named(text, part.at("criterion")));
+    Optional<Named> criterion = criterion(part);
     List<String> methods = Arrays.stream(SearchMethod.values()).map(SearchMethod::key).toList();
     String method = oneOf(part, "method", methods, USUAL.method.key());
     int runs = (int) part.wholeNumber("runs", RUNS).orElse(USUAL.runs);
@@ -47,6 +46,11 @@ public record SearchSettings(
         runs,
         seeds,
         stop.equals(FIRST_FAILURE));
+  }
+
+  /** Reads the beginning of the text of a criterion. */
+  static Optional<Named> criterion(ObjectReader part) {
+    return part.text("criterion").map(text -> new Named(text, part.at("criterion")));
   }
 
   private static String oneOf(ObjectReader part, String key, List<String> known, String usual) {

@@ -211,23 +211,49 @@ public final class CampaignPage {
   }
 
   private void boundary() {
-    List<BoundarySearch.Flip> flips = summary.flips();
-    if (plan.boundary().isEmpty()) {
-      return;
+    summary.boundary().ifPresent(it -> boundary(it, plan.boundary().orElseThrow().factor()));
+  }
+
+  private void boundary(BoundaryWords words, int factor) {
+    add("<section><h2>Boundary along %s</h2>\n<p>%s. ", words.factor(), words.flips());
+    raw("A band of another verdict between two neighbouring values is not seen.</p>\n");
+    List<BoundarySearch.Flip> flips = words.all();
+    if (!flips.isEmpty()) {
+      raw("<div class=\"scroll\"><table><thead><tr><th>The other factors</th><th>up to</th>");
+      raw("<th></th><th>from</th><th></th></tr></thead><tbody>\n");
+      flips.forEach(flip -> flip(flip, factor));
+      raw("</tbody></table></div>\n");
     }
-    int factor = plan.boundary().get().factor();
-    add("<section><h2>Boundary along %s</h2>\n", plan.names().get(factor));
-    raw("<div class=\"scroll\"><table><thead><tr><th>The other factors</th><th>up to</th>");
-    raw("<th></th><th>from</th><th></th></tr></thead><tbody>\n");
-    for (BoundarySearch.Flip flip : flips) {
-      add("<tr><td>%s</td>", flip.before().id().wordsWithout(factor, plan));
-      for (CampaignRow side : List.of(flip.before(), flip.after())) {
-        add("<td>%s</td>", side.id().values().get(factor).toPlainString());
-        add("<td>%s</td>", word(side));
-      }
-      raw("</tr>\n");
+    if (!words.quiet().isEmpty()) {
+      String rest = words.rest();
+      add("<p>%s%s.</p>\n", rest.substring(0, 1).toUpperCase(Locale.ROOT), rest.substring(1));
+      raw("<div class=\"scroll\"><table><thead><tr><th>The other factors</th><th>from</th>");
+      raw("<th>to</th><th></th></tr></thead><tbody>\n");
+      words.quiet().forEach(line -> line(line, factor));
+      raw("</tbody></table></div>\n");
     }
-    raw("</tbody></table></div></section>\n");
+    raw("</section>\n");
+  }
+
+  private void flip(BoundarySearch.Flip flip, int factor) {
+    add("<tr><td>%s</td>", flip.before().row().id().wordsWithout(factor, plan));
+    for (BoundarySearch.Side side : List.of(flip.before(), flip.after())) {
+      add("<td>%s</td>", value(side, factor));
+      add("<td>%s</td>", CampaignRow.words(side.label()));
+    }
+    raw(flip.isNarrow() ? "</tr>\n" : "<td>no case between has a verdict</td></tr>\n");
+  }
+
+  private void line(BoundarySearch.Line line, int factor) {
+    List<BoundarySearch.Side> sides = line.sides();
+    add("<tr><td>%s</td>", line.id().wordsWithout(factor, plan));
+    add("<td>%s</td>", sides.isEmpty() ? "" : value(sides.get(0), factor));
+    add("<td>%s</td>", sides.isEmpty() ? "" : value(sides.get(sides.size() - 1), factor));
+    add("<td>%s</td></tr>\n", BoundaryWords.throughout(line));
+  }
+
+  private static String value(BoundarySearch.Side side, int factor) {
+    return side.row().id().values().get(factor).toPlainString();
   }
 
   private void changes(CampaignComparison comparison) {
@@ -339,12 +365,7 @@ public final class CampaignPage {
   }
 
   private static String word(CampaignRow row) {
-    return switch (row.result().label()) {
-      case PASSED -> "passed";
-      case FAILED -> "failed";
-      case UNTESTED -> "not tested";
-      case ERROR -> "error";
-    };
+    return CampaignRow.words(row.result().label());
   }
 
   private void raw(String html) {

@@ -16,6 +16,16 @@ public record CampaignRow(CampaignCase id, CaseResult result) {
     return result.label().name().toLowerCase(Locale.ROOT);
   }
 
+  /** Returns a verdict for people. */
+  static String words(CaseResult.Label label) {
+    return switch (label) {
+      case PASSED -> "passed";
+      case FAILED -> "failed";
+      case UNTESTED -> "not tested";
+      case ERROR -> "error";
+    };
+  }
+
   public boolean is(CaseResult.Label label) {
     return result.label() == label;
   }

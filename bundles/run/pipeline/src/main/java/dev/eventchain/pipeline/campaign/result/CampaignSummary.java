@@ -142,9 +142,18 @@ public final class CampaignSummary {
     return trials;
   }
 
-  /** Returns the flips along the boundary's factor; none without one. */
-  List<BoundarySearch.Flip> flips() {
-    return plan.boundary().map(it -> new BoundarySearch(it).flips(rows)).orElse(List.of());
+  /** Returns what is said about the boundary, if one is searched. */
+  private static String text(BoundaryWords words) {
+    return Stream.of(words.flips(), words.rest())
+        .filter(line -> !line.isEmpty())
+        .map(line -> line + "\n")
+        .collect(Collectors.joining());
+  }
+
+  /** Returns the boundary, if one is searched. */
+  Optional<BoundaryWords> boundary() {
+    return plan.boundary()
+        .map(it -> new BoundaryWords(plan, it, new BoundarySearch(it).lines(rows)));
   }
 
   /** A case that passed, with the margin of one of its criteria. */
@@ -187,14 +196,7 @@ public final class CampaignSummary {
                 count(Label.FAILED),
                 count(Label.UNTESTED),
                 count(Label.ERROR)));
-    plan.boundary()
-        .ifPresent(
-            boundary ->
-                text.append(
-                    "%s along %s%n"
-                        .formatted(
-                            Coverage.counted(flips().size(), "flip"),
-                            plan.names().get(boundary.factor()))));
+    boundary().ifPresent(it -> text.append(text(it)));
     Optional<CampaignPoints> points = CampaignPoints.of(plan, rows);
     points.ifPresent(it -> text.append("points: %s (%s)%n".formatted(it.total(), it.note())));
     return text.append(CampaignMatrix.of(plan, rows, points)).toString();
