@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import fcntl
 import io
+import itertools
 import json
 import os
+import subprocess
+import sys
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -142,37 +147,52 @@ def test_all_processors_are_used() -> None:
 
 
 class Tasks:
-    """Tasks that end at once, the last one first."""
+    """Tasks that end at once, the last one first; some of them come late, and some never."""
 
-    def __init__(self, failing: int = 0) -> None:
+    def __init__(self, failing: int = 0, late: int = 0, lost: frozenset[int] = frozenset()) -> None:
         self.failing = failing
+        self.late = late
+        self.lost = lost
         self.most = 0
+        self.reason = ""
 
     def start(self, number: int) -> int:
         return number
 
     def wait(self, started: list[int]) -> list[int]:
         self.most = max(self.most, len(started))
-        return started[-1:]
+        return [number for number in started if number not in self.lost][-1:]
 
-    def result(self, number: int, done: int) -> node.Part:
+    def idle(self) -> str:
+        return self.reason
+
+    def result(self, number: int, done: int) -> node.Part | None:
+        if number == self.late:
+            self.late = 0
+            return None
         return node.Part("n1", failure="no\nspace left") if number == self.failing else node.Part("n1", f"cases {done}")
 
 
-def run(tasks: Tasks) -> list[dict[str, Any]]:
+def minutes() -> Callable[[], float]:
+    """Return a clock that goes on by a minute whenever it is looked at."""
+    return (60.0 * minute for minute in itertools.count()).__next__
+
+
+def run(tasks: Tasks, clock: Callable[[], float] = lambda: 0.0) -> list[dict[str, Any]]:
     """Run 30 parts for a program that waits for them."""
     source, program = os.pipe()
     target = io.StringIO()
     try:
         channel = driver.Channel(os.fdopen(source), target)
-        driver.run(tasks, list(range(1, 31)), 2, channel)  # type: ignore[arg-type]
+        watch = driver.Watch(tasks, channel, clock)  # type: ignore[arg-type]
+        driver.run(tasks, list(range(1, 31)), 2, channel, watch)  # type: ignore[arg-type]
     finally:
         os.close(program)
     return [json.loads(line) for line in target.getvalue().splitlines()]
 
 
 def test_each_part_is_answered_once() -> None:
-    tasks = Tasks()
+    tasks = Tasks(late=30)
     answers = run(tasks)
     assert sorted(each["part"] for each in answers) == list(range(1, 31))
     assert all(each["cases"] == f"cases {each['part']}" for each in answers)
@@ -184,13 +204,98 @@ def test_a_part_that_fails_ends_all() -> None:
         run(Tasks(20))
 
 
+def test_parts_that_nobody_works_on_end_all() -> None:
+    tasks = Tasks(lost=frozenset([7]))
+    tasks.reason = "no node is left"
+    with pytest.raises(driver.DriverError, match="Nobody has worked on the campaign for 300 s: no node is left"):
+        run(tasks, minutes())
+
+
+def test_a_part_that_takes_long_is_waited_for() -> None:
+    tasks = Tasks(lost=frozenset([7]))
+    looks = iter(range(100))
+
+    def idle() -> str:
+        if next(looks) == 99:
+            tasks.lost = frozenset()
+        return ""
+
+    tasks.idle = idle  # type: ignore[method-assign]
+    answers = run(tasks, minutes())
+    assert answers[-1]["part"] == 7
+    assert {"alive": True} in answers
+
+
+class Ray:
+    """Nodes of a cluster, and how many of their processors are free."""
+
+    def __init__(self, free: float, *counts: float) -> None:
+        self.free = free
+        self.counts = counts
+
+    def nodes(self) -> list[dict[str, Any]]:
+        dead = {"Alive": False, "Resources": {"CPU": 64.0}}
+        return [dead, *({"Alive": True, "Resources": {"CPU": count}} for count in self.counts)]
+
+    def available_resources(self) -> dict[str, float]:
+        return {"CPU": self.free} if self.free else {}
+
+
+@pytest.mark.parametrize(
+    ("ray", "reason"),
+    [
+        (Ray(0, 2, 2), ""),
+        (Ray(3, 2, 2), ""),
+        (Ray(4, 2, 2), "no part runs, though all 4 processors are free"),
+        (Ray(1, 1), "no node with 2 processors is left"),
+        (Ray(0), "no node with 2 processors is left"),
+    ],
+)
+def test_a_cluster_is_idle_if_nothing_runs_or_can_run(ray: Ray, reason: str) -> None:
+    tasks = driver.Tasks.__new__(driver.Tasks)
+    tasks._ray = ray
+    tasks._work = node.Work("", "", [], [], [], "", {}, 2)
+    assert tasks.idle() == reason
+
+
+WAITING = """
+import io, sys, time
+import driver
+channel = driver.Channel(io.StringIO(), sys.stdout)
+with channel.limited("it was asked", 60):
+    pass
+with channel.limited("it was asked", 0.01):
+    time.sleep(600)
+"""
+
+
+def test_a_step_without_an_answer_ends_the_driver() -> None:
+    path = os.pathsep.join([str(Path(driver.__file__).parent), os.environ.get("PYTHONPATH", "")])
+    done = subprocess.run(
+        [sys.executable, "-c", WAITING], env={**os.environ, "PYTHONPATH": path}, capture_output=True, check=False
+    )
+    assert done.returncode == 1
+    assert json.loads(done.stdout)["error"] == "Ray has not answered for 0.01 s, while it was asked"
+
+
+def test_a_lock_that_somebody_keeps_is_a_failure(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(node, "LOCK_SECONDS", 0)
+    monkeypatch.setenv("JAVA_HOME", str(write(cache / "jdk" / "bin" / "java").parents[1]))
+    (cache / "jdk" / "bin" / "java").chmod(0o755)
+    lock = write(cache / "eventchain" / "ray" / "lock")
+    with lock.open("w") as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
+        part = node.run_part(node.Work("p", "f", [], [], [], "", {}, 1), lambda name: b"", 1, 2)
+    assert part.failure == f"Program and project cannot be unpacked: {lock} has been locked for 0 s"
+
+
 def test_the_end_of_the_program_ends_all() -> None:
     channel = driver.Channel(io.StringIO('{"count": 1}\n'), io.StringIO())
     assert channel.receive() == {"count": 1}
     with pytest.raises(EOFError):
         channel.receive()
     with pytest.raises(EOFError):
-        driver.run(Tasks(), [1], 1, channel)  # type: ignore[arg-type]
+        driver.run(Tasks(), [1], 1, channel, driver.Watch(Tasks(), channel))  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -198,5 +303,6 @@ def test_the_end_of_the_program_ends_all() -> None:
     [("ray://head:10001", "Ray Client"), ("127.0.0.1:9", "no Ray cluster at '127.0.0.1:9'"), ("host:port", "no Ray")],
 )
 def test_an_address_without_a_cluster_is_refused_at_once(address: str, reason: str) -> None:
-    with pytest.raises(driver.DriverError, match=reason), driver.connected(address, 1):
+    channel = driver.Channel(io.StringIO(), io.StringIO())
+    with pytest.raises(driver.DriverError, match=reason), driver.connected(address, 1, channel):
         pass

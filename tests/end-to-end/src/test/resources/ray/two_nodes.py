@@ -7,6 +7,8 @@ import tempfile
 # The paths of Ray's sockets, in this folder, may have 107 characters.
 with tempfile.TemporaryDirectory(prefix="two-nodes-", dir="/tmp") as folder:
     os.environ["RAY_TMPDIR"] = folder
+    # Else tasks give way to all else on this machine, and hardly go on beside other tests.
+    os.environ.update(RAY_worker_niceness="0")
     from ray.cluster_utils import Cluster
 
     common = {"num_cpus": 1, "object_store_memory": 256 << 20}

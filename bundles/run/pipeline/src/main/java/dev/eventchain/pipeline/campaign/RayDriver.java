@@ -15,7 +15,11 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
@@ -29,11 +33,23 @@ final class RayDriver implements AutoCloseable {
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final int PATIENCE_SECONDS = 30;
 
+  /** Longer than any step for which the driver waits without a word. */
+  private static final Duration LONGEST_SILENCE = Duration.ofMinutes(20);
+
+  private static final String KEPT =
+      "Look at 'ray status'. What has come back is kept: the same command goes on.";
+
+  /** Note of Ray about something that it went on after. */
+  private static final String NOTE = ":info_message:";
+
   private final SourceLocation place;
   private final Path log;
   private final Process process;
   private final Writer input;
-  private final BufferedReader output;
+  private final Duration longestSilence;
+
+  /** What it says; empty once it has ended. */
+  private final BlockingQueue<Optional<String>> output = new LinkedBlockingQueue<>();
 
   /**
    * Starts it.
@@ -42,7 +58,17 @@ final class RayDriver implements AutoCloseable {
    * @param place what findings are about
    */
   RayDriver(Path python, SourceLocation place) {
+    this(python, place, LONGEST_SILENCE);
+  }
+
+  /**
+   * As above.
+   *
+   * @param longestSilence after which it is given up
+   */
+  RayDriver(Path python, SourceLocation place, Duration longestSilence) {
     this.place = place;
+    this.longestSilence = longestSilence;
     Path folder = PythonSources.unpack(RayDriver.class.getClassLoader(), RESOURCES);
     ProcessBuilder builder =
         new ProcessBuilder(python.toString(), "-B", folder.resolve("driver.py").toString());
@@ -56,7 +82,20 @@ final class RayDriver implements AutoCloseable {
       throw failed("The driver of Ray cannot be started: " + SourceText.reason(e), "");
     }
     input = process.outputWriter(StandardCharsets.UTF_8);
-    output = process.inputReader(StandardCharsets.UTF_8);
+    Thread reader = new Thread(() -> read(process.inputReader(StandardCharsets.UTF_8)), "ray");
+    reader.setDaemon(true);
+    reader.start();
+  }
+
+  private void read(BufferedReader lines) {
+    try {
+      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+        output.add(Optional.of(line));
+      }
+    } catch (IOException e) {
+      // It has ended.
+    }
+    output.add(Optional.empty());
   }
 
   /** Sends a message. */
@@ -72,19 +111,17 @@ final class RayDriver implements AutoCloseable {
   }
 
   /**
-   * Returns the next message.
+   * Returns the next message that says more than that it is there.
    *
    * @throws DiagnosticException (UNAVAILABLE) {@code campaign.engine} if it says that something
-   *     failed, or has ended
+   *     failed, has ended, or has said nothing for too long
    */
   JsonNode receive() {
     JsonNode message;
     try {
-      String line = output.readLine();
-      if (line == null) {
-        throw failed("The driver of Ray ended early: " + lastWords(), "");
-      }
-      message = JSON.readTree(line);
+      do {
+        message = JSON.readTree(line());
+      } while (message.has("alive"));
     } catch (IOException e) {
       throw failed("The driver of Ray cannot be understood: " + SourceText.reason(e), "");
     }
@@ -94,9 +131,35 @@ final class RayDriver implements AutoCloseable {
     return message;
   }
 
-  private String lastWords() throws IOException {
-    List<String> lines =
-        Files.readString(log, StandardCharsets.ISO_8859_1).lines().map(String::strip).toList();
+  private String line() throws IOException {
+    Optional<String> line;
+    try {
+      line = output.poll(longestSilence.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException("nobody interrupts a campaign", e);
+    }
+    if (line == null) {
+      process.destroyForcibly();
+      String silence = "The driver of Ray has said nothing for %d s.";
+      throw failed(silence.formatted(longestSilence.toSeconds()), KEPT);
+    }
+    return line.orElseThrow(
+        () -> failed("The driver of Ray ended early: " + lastWords(), "Did the node end? " + KEPT));
+  }
+
+  private String lastWords() {
+    List<String> lines;
+    try {
+      lines =
+          Files.readString(log, StandardCharsets.ISO_8859_1)
+              .lines()
+              .map(String::strip)
+              .filter(line -> !line.contains(NOTE))
+              .toList();
+    } catch (IOException e) {
+      lines = List.of();
+    }
     return lines.isEmpty() ? "it says nothing." : lines.get(lines.size() - 1);
   }
 

@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,9 +23,13 @@ class RayDriverTest {
   @TempDir Path folder;
 
   private RayDriver driver(String script) throws IOException {
+    return driver(script, Duration.ofMinutes(20));
+  }
+
+  private RayDriver driver(String script, Duration longestSilence) throws IOException {
     Path file = Files.writeString(folder.resolve("python"), "#!/bin/sh\n" + script + "\n");
     assertTrue(file.toFile().setExecutable(true));
-    return new RayDriver(file, PLACE);
+    return new RayDriver(file, PLACE, longestSilence);
   }
 
   private static Diagnostic failure(RayDriver driver) {
@@ -51,12 +56,33 @@ class RayDriverTest {
       assertEquals("No cluster.", found.message());
       assertEquals("Start it.", found.hint());
     }
-    try (RayDriver driver = driver("echo 'Traceback' >&2; echo 'KeyError: 1' >&2; exit 1")) {
+    String script =
+        "echo 'Traceback' >&2; echo 'KeyError: 1' >&2; echo '[E] :info_message: x' >&2; exit 1";
+    try (RayDriver driver = driver(script)) {
       driver.send("a driver that has ended is asked");
       assertEquals("The driver of Ray ended early: KeyError: 1.", failure(driver).message());
     }
     try (RayDriver driver = driver("echo nonsense")) {
       assertTrue(failure(driver).message().startsWith("The driver of Ray cannot be understood"));
+    }
+  }
+
+  @Test
+  void thatItIsAliveIsNoMessage() throws IOException {
+    String alive = "echo '{\"alive\": true}'; ";
+    try (RayDriver driver = driver(alive + alive + "echo '{\"part\": 4}'")) {
+      assertEquals(4, driver.receive().path("part").asInt());
+      assertTrue(failure(driver).message().startsWith("The driver of Ray ended early"));
+    }
+  }
+
+  /** As one that Ray does not answer. */
+  @Test
+  void silenceIsNotForEver() throws IOException {
+    try (RayDriver driver = driver("read line; exec sleep 10000", Duration.ofSeconds(1))) {
+      Diagnostic found = failure(driver);
+      assertEquals("The driver of Ray has said nothing for 1 s.", found.message());
+      assertTrue(found.hint().contains("the same command goes on"), found.hint());
     }
   }
 

@@ -7,10 +7,12 @@ Lines of JSON on standard input and output. The program first says what is to be
 address stands for a cluster of this machine alone. The answer ``{"slots", "processors"}`` says how many parts run at
 once, on how many processors each. Then follows ``{"count", "parts"}``: how many parts there are, and the numbers of
 those to be simulated. Each is answered by ``{"part", "node", "cases"}``, and all of them by ``{"ended": true}``.
-``{"error", "hint"}`` is the last line if something fails.
+``{"error", "hint"}`` is the last line if something fails, and ``{"alive": true}`` says in between that nothing has.
 
 A part that is lost with its node, or with the process that simulates it, runs again, ``RETRIES`` times at most; one
-that fails is an error. The end of standard input ends everything.
+that fails is an error. Nothing waits without a limit: neither for an answer of Ray (``STEP_SECONDS``) nor for parts
+that nobody works on (``STALL_SECONDS``). A part that takes long on a busy node is waited for. The end of standard input
+ends everything.
 """
 
 from __future__ import annotations
@@ -38,7 +40,11 @@ RETRIES = 5
 MOST_PROCESSORS = 8
 PATIENCE_SECONDS = 0.5
 GRACE_SECONDS = 20
+ALIVE_SECONDS = 10
+STALL_SECONDS = 300
+STEP_SECONDS = 600
 MIB = 1 << 20
+KEPT = "Look at 'ray status'. What has come back is kept: the same command goes on."
 WITHOUT_CLUSTER = (
     "Start one by 'ray start --head', with the same versions of Ray and Python as here; this machine has to be a node."
 )
@@ -59,6 +65,7 @@ class Channel:
         self._source = source
         self._target = target
         self._lines: queue.SimpleQueue[str] = queue.SimpleQueue()
+        self._sending = threading.Lock()
         self.closed = threading.Event()
         threading.Thread(target=self._read, daemon=True).start()
 
@@ -78,8 +85,25 @@ class Channel:
 
     def send(self, **message: object) -> None:
         """Send a message."""
-        self._target.write(json.dumps(message) + "\n")
-        self._target.flush()
+        with self._sending:
+            self._target.write(json.dumps(message) + "\n")
+            self._target.flush()
+
+    @contextlib.contextmanager
+    def limited(self, step: str, seconds: float = STEP_SECONDS) -> Iterator[None]:
+        """End this process, and say why, if a step takes longer: calls of Ray cannot be interrupted."""
+
+        def end() -> None:
+            self.send(error=f"Ray has not answered for {seconds:g} s, while {step}", hint=KEPT)
+            os._exit(1)
+
+        timer = threading.Timer(seconds, end)
+        timer.daemon = True
+        timer.start()
+        try:
+            yield
+        finally:
+            timer.cancel()
 
 
 def main() -> int:
@@ -118,8 +142,9 @@ def serve(channel: Channel) -> None:
         for each in request["folders"]
     ]
     files = packs.pack(packs.project([Path(name) for name in request["files"]], folders))
-    with connected(request["address"], len(program.content) + len(files.content)) as ray:
-        slots, processors = capacity(ray.nodes())
+    with connected(request["address"], len(program.content) + len(files.content), channel) as ray:
+        with channel.limited("its nodes were asked for"):
+            slots, processors = capacity(ray.nodes())
         channel.send(slots=slots, processors=processors)
         parts = channel.receive()
         work = node.Work(
@@ -132,28 +157,33 @@ def serve(channel: Channel) -> None:
             request["settings"],
             processors,
         )
-        tasks = Tasks(ray, work, [program, files], parts["count"])
-        run(tasks, parts["parts"], slots, channel)
+        with channel.limited("program and project were handed to it"):
+            tasks = Tasks(ray, work, [program, files], parts["count"])
+        run(tasks, parts["parts"], slots, channel, Watch(tasks, channel))
         channel.send(ended=True)
 
 
 @contextlib.contextmanager
-def connected(address: str, size: int) -> Iterator[Any]:
+def connected(address: str, size: int, channel: Channel) -> Iterator[Any]:
     """Return Ray, connected to a cluster, or to a new one of this machine, which is ended again."""
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+    # Ray's own setting is without end: a part that needs more memory than there is would be tried for ever.
+    os.environ.setdefault("RAY_task_oom_retries", str(RETRIES))
     quiet = {"log_to_driver": False, "logging_level": "ERROR"}
     if address:
         require_reachable(address)
         failure = f"The Ray cluster at '{address}' cannot be used"
-        yield from attempt(lambda ray: ray.init(address=address, **quiet), failure)
+        yield from attempt(lambda ray: ray.init(address=address, **quiet), failure, channel)
         return
     # Ray listens on all interfaces, also where all is on one machine. Without the token, nobody can use what listens.
     os.environ.update(RAY_AUTH_MODE="token", RAY_AUTH_TOKEN=secrets.token_hex(32))
+    # Ray lets tasks give way to all else (15), so that beside other work they hardly go on.
+    os.environ.setdefault("RAY_worker_niceness", "0")
     # The paths of Ray's sockets, in this folder, may have 107 characters.
     folder = tempfile.mkdtemp(prefix="eventchain-ray-", dir="/tmp")
     options = {"include_dashboard": False, "object_store_memory": 2 * size + 128 * MIB, "_temp_dir": folder, **quiet}
     try:
-        yield from attempt(lambda ray: ray.init(address="local", **options), "Ray cannot be started")
+        yield from attempt(lambda ray: ray.init(address="local", **options), "Ray cannot be started", channel)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 
@@ -172,12 +202,13 @@ def require_reachable(address: str) -> None:
         raise DriverError(f"There is no Ray cluster at '{address}': {reason}", WITHOUT_CLUSTER) from problem
 
 
-def attempt(start: Callable[[Any], object], failure: str) -> Iterator[Any]:
+def attempt(start: Callable[[Any], object], failure: str, channel: Channel) -> Iterator[Any]:
     """Return Ray after a start of it."""
     import ray  # reads the settings of the caller
 
     try:
-        start(ray)
+        with channel.limited("it was connected to"):
+            start(ray)
     except (OSError, RuntimeError, ValueError, ray.exceptions.RayError) as problem:
         raise DriverError(f"{failure}: {one_line(str(problem))}", WITHOUT_CLUSTER) from problem
     try:
@@ -210,7 +241,7 @@ class Tasks:
         def task(work: node.Work, packed: dict[str, Any], number: int, count: int) -> node.Part:
             import ray  # the node's
 
-            return node.run_part(work, lambda name: ray.get(packed[name]), number, count)
+            return node.run_part(work, lambda name: ray.get(packed[name], timeout=STEP_SECONDS), number, count)
 
         self._packed = packed
         self._task = ray.remote(task).options(
@@ -226,10 +257,12 @@ class Tasks:
         done: list[Any] = self._ray.wait(started, num_returns=1, timeout=PATIENCE_SECONDS)[0]
         return done
 
-    def result(self, number: int, done: Any) -> node.Part:
-        """Return what became of a part."""
+    def result(self, number: int, done: Any) -> node.Part | None:
+        """Return what became of a part; nothing if it is on its way, or was lost and runs again."""
         try:
-            part: node.Part = self._ray.get(done)
+            part: node.Part = self._ray.get(done, timeout=PATIENCE_SECONDS)
+        except self._ray.exceptions.GetTimeoutError:
+            return None
         except self._ray.exceptions.RayTaskError as problem:
             return node.Part("", failure=str(problem.cause if problem.cause is not None else problem))
         except self._ray.exceptions.RayError as problem:
@@ -240,8 +273,45 @@ class Tasks:
             ) from problem
         return part
 
+    def idle(self) -> str:
+        """Return why nothing can be going on; empty if a node works, for us or for others."""
+        counts = [float(each["Resources"].get("CPU", 0)) for each in self._ray.nodes() if each["Alive"]]
+        if all(count < self._work.processors for count in counts):
+            return f"no node with {self._work.processors} processors is left"
+        if self._ray.available_resources().get("CPU", 0) < sum(counts):
+            return ""
+        return f"no part runs, though all {sum(counts):g} processors are free"
 
-def run(tasks: Tasks, numbers: list[int], slots: int, channel: Channel) -> None:
+
+class Watch:
+    """Notices that nobody works on the parts, and says to the program that it looks."""
+
+    def __init__(self, tasks: Tasks, channel: Channel, clock: Callable[[], float] = time.monotonic) -> None:
+        self._tasks = tasks
+        self._channel = channel
+        self._clock = clock
+        self._looked = self._worked = clock()
+
+    def look(self) -> None:
+        """Look now and then; raise an error once nobody has worked for too long."""
+        now = self._clock()
+        if now - self._looked < ALIVE_SECONDS:
+            return
+        with self._channel.limited("its nodes were asked for"):
+            idle = self._tasks.idle()
+        self._looked = now
+        self._channel.send(alive=True)
+        if not idle:
+            self._worked = now
+        elif now - self._worked >= STALL_SECONDS:
+            raise DriverError(f"Nobody has worked on the campaign for {STALL_SECONDS} s: {idle}", KEPT)
+
+    def worked(self) -> None:
+        """Note that a part has come back."""
+        self._worked = self._clock()
+
+
+def run(tasks: Tasks, numbers: list[int], slots: int, channel: Channel, watch: Watch) -> None:
     """Run parts until all are done, one has failed, or the program has ended."""
     waiting = list(reversed(numbers))
     started: dict[Any, int] = {}
@@ -252,9 +322,14 @@ def run(tasks: Tasks, numbers: list[int], slots: int, channel: Channel) -> None:
         while waiting and len(started) < 2 * slots + 4:
             number = waiting.pop()
             started[tasks.start(number)] = number
+        watch.look()
         for done in tasks.wait(list(started)):
-            number = started.pop(done)
+            number = started[done]
             part = tasks.result(number, done)
+            if part is None:
+                continue
+            del started[done]
+            watch.worked()
             if part.failure:
                 where = f" on the node {part.node}" if part.node else ""
                 raise DriverError(f"Part {number} failed{where}: {telling(part.failure)}", part.hint)

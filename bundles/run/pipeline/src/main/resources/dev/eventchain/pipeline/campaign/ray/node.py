@@ -18,9 +18,13 @@ import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import IO
 
 FILES = "{files}"
 UNUSED_SECONDS = 7 * 24 * 3600
+# For another part that unpacks, and may be one that was stopped.
+LOCK_SECONDS = 600
+LOCK_PAUSE_SECONDS = 0.1
 # The process ends with the worker that starts it, which is killed without notice if the campaign is given up.
 BY_ANOTHER_PROGRAM = "import ctypes, os, sys; ctypes.CDLL(None).prctl(1, 9); os.execv(sys.argv[1], sys.argv[1:])"
 
@@ -55,8 +59,11 @@ def run_part(work: Work, fetch: Callable[[str], bytes], number: int, count: int)
     java = find_java()
     if java is None:
         return Part(node, failure="There is no Java.", hint="Install Java 17 or later on all nodes, or set JAVA_HOME.")
-    program = unpacked(work.program, fetch)
-    files = unpacked(work.files, fetch)
+    try:
+        program = unpacked(work.program, fetch)
+        files = unpacked(work.files, fetch)
+    except OSError as problem:
+        return Part(node, failure=f"Program and project cannot be unpacked: {problem}")
     # Beside the packs, where it is removed a week later if the worker is killed.
     with tempfile.TemporaryDirectory(prefix="part-", dir=files.parent) as scratch:
         output = Path(scratch, "out")
@@ -108,7 +115,7 @@ def unpacked(name: str, fetch: Callable[[str], bytes]) -> Path:
     base.mkdir(parents=True, exist_ok=True)
     folder = base / name
     with (base / "lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+        wait_for(lock)
         if not folder.is_dir():
             remove_unused(base)
             unfinished = Path(tempfile.mkdtemp(prefix="unfinished-", dir=base))
@@ -117,6 +124,19 @@ def unpacked(name: str, fetch: Callable[[str], bytes]) -> Path:
             unfinished.rename(folder)
         os.utime(folder)
     return folder
+
+
+def wait_for(lock: IO[str]) -> None:
+    """Lock a file; raise an error if somebody else has had it for too long."""
+    end = time.monotonic() + LOCK_SECONDS
+    while True:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return
+        except BlockingIOError:
+            if time.monotonic() > end:
+                raise TimeoutError(f"{lock.name} has been locked for {LOCK_SECONDS} s") from None
+            time.sleep(LOCK_PAUSE_SECONDS)
 
 
 def remove_unused(base: Path) -> None:
