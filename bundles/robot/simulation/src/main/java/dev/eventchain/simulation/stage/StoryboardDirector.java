@@ -19,6 +19,7 @@ import dev.eventchain.simulation.world.Track;
 import dev.eventchain.simulation.world.World;
 import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -47,6 +48,7 @@ final class StoryboardDirector implements Director {
   private final Shape shape;
   private final Optional<Limit> limit;
   private final List<Happening> happenings = new ArrayList<>();
+  private final Set<String> running = new HashSet<>();
   private double acceleration;
   private double curvature;
   private Pose planned;
@@ -226,18 +228,25 @@ final class StoryboardDirector implements Director {
     return curvature;
   }
 
+  /** An event that is skipped, or stopped while it waits, neither begins nor ends. */
   @Override
   public List<Happening> happenings() {
     List<Change> changes = run.changes();
     for (Change change : changes.subList(known, changes.size())) {
-      if (change.type().equals(EVENT) && change.transition() != null) {
-        boolean begins = change.transition() == Progress.Transition.START;
+      boolean begins = change.transition() == Progress.Transition.START;
+      boolean counts =
+          change.type().equals(EVENT) && (begins ? running.add(change.path()) : isEnd(change));
+      if (counts) {
         String name = change.path().substring(change.path().lastIndexOf('/') + 1);
         happenings.add(new Happening(name, begins, World.nanoseconds(change.time())));
       }
     }
     known = changes.size();
     return happenings;
+  }
+
+  private boolean isEnd(Change change) {
+    return change.transition() != null && running.remove(change.path());
   }
 
   @Override

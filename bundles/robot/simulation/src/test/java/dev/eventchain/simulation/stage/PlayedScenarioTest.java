@@ -211,6 +211,15 @@ class PlayedScenarioTest {
     assertEquals(List.of(), wrong);
   }
 
+  /** The target is faster, so that the storyboard ends after a second, before its event begins. */
+  @Test
+  void anEventThatNeverBeganDoesNotEnd() {
+    World world = world(read("  parameters: {speed_kph: 36, target_kph: 37, brakes_at: 9}"));
+    drive(world, 2);
+    assertEquals(1, World.seconds(world.now()), 0.0101);
+    assertEquals(List.of(), world.trace().happenings());
+  }
+
   @Test
   void twoRunsOfOneScenarioAreTheSame() {
     Scenario scenario = read("");
