@@ -242,7 +242,7 @@ class ConditionTest {
     played(run, 4);
     assertEquals(2.01, started(run), 0.011);
     assertEquals(
-        1, changes(run).stream().filter(each -> each.startsWith("1.01 S/A/G/M/F START")).count());
+        1, changes(run).stream().filter(each -> each.startsWith("1.00 S/A/G/M/F START")).count());
     assertEquals(2000, Scenarios.state(run, "Ego").pose().x(), 0.2);
     assertEquals(0, Scenarios.state(run, "Ego").speed());
   }

@@ -208,7 +208,7 @@ class StoryboardOrderTest {
   }
 
   @Test
-  void aGroupIsExecutedAgainInTheNextStep() {
+  void aGroupIsExecutedAgainAtOnce() {
     String story = story("Ego", event("E", FAST)).replace("Count='1'><Actors", "Count='2'><Actors");
     StoryboardRun run = run(scenario(car("Ego"), placed("Ego", -1, 100, 10), story));
     List<String> groups =
@@ -217,8 +217,8 @@ class StoryboardOrderTest {
         List.of(
             "0.00 S/A/G START RUNNING",
             "2.00 S/A/G END STANDBY",
-            "2.01 S/A/G START RUNNING",
-            "4.01 S/A/G END COMPLETE"),
+            "2.00 S/A/G START RUNNING",
+            "4.00 S/A/G END COMPLETE"),
         groups);
     assertEquals(20, Scenarios.state(run, "Ego").speed(), 1e-9);
   }

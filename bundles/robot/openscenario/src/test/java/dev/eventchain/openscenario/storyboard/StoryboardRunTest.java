@@ -143,9 +143,13 @@ class StoryboardRunTest {
             scenario(
                 car("Ego") + car("Other"),
                 placed("Ego", -1, 100, 10) + placed("Other", -2, 100, 20),
-                story("", event("E", speed("step", "time", 0, 1), when("none", 0, fast)))
+                story("", event("E", speed("step", "time", 0, 1)))
+                    .replace("selectTriggeringEntities='false'", "selectTriggeringEntities='true'")
                     .replace(
-                        "selectTriggeringEntities='false'", "selectTriggeringEntities='true'")));
+                        "</Act>",
+                        "<StartTrigger><ConditionGroup>"
+                            + when("none", 0, fast)
+                            + "</ConditionGroup></StartTrigger></Act>")));
     assertEquals(10, state(run, "Ego").speed());
     assertEquals(1, state(run, "Other").speed());
   }

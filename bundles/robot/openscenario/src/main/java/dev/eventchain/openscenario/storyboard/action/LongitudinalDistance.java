@@ -108,7 +108,7 @@ final class LongitudinalDistance {
             now.road(),
             now.vx() + half * StrictMath.cos(heading),
             now.vy() + half * StrictMath.sin(heading))
-        .after(dt);
+        .after(scene, dt);
   }
 
   private static void jump(Scene scene, Actor actor, double distance) {

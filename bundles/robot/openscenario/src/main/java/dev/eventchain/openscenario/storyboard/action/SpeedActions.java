@@ -66,8 +66,14 @@ final class SpeedActions {
     if (atOnce) {
       actor.speed(target.in(scene));
     }
+    double rate =
+        dynamics.shape() != Shape.STEP && dynamics.dimension().equals("rate")
+            ? dynamics.value()
+            : Double.POSITIVE_INFINITY;
     actor.drive(
-        scene, task, new SpeedFollowing(target, dynamics.shape(), from, atOnce ? 0 : duration, 0));
+        scene,
+        task,
+        new SpeedFollowing(target, dynamics.shape(), rate, from, atOnce ? 0 : duration, 0));
     return Optional.of(task);
   }
 }

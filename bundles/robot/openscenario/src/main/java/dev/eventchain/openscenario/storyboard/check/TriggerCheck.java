@@ -24,24 +24,39 @@ final class TriggerCheck {
           "The start trigger has no condition; it is taken as if it were not there.",
           "Give it a condition, or leave it out.");
     }
-    if (element.name().equals("ManeuverGroup") && hasNoActors(element)) {
-      Findings.within(element)
-          .filter(each -> each.name().equals("PrivateAction"))
-          .findFirst()
-          .ifPresent(
-              action ->
-                  findings.add(
-                      StoryboardRules.NO_ACTORS,
-                      action.location(),
-                      "The maneuver group '"
-                          + element.text("name")
-                          + "' has no actors that could do this.",
-                      "Name the actors, or set selectTriggeringEntities."));
+    if (element.name().equals("Act")) {
+      boolean byEntities =
+          element.child("StartTrigger").stream()
+              .flatMap(Findings::within)
+              .anyMatch(each -> each.name().equals("TriggeringEntities"));
+      element.children("ManeuverGroup").forEach(each -> checkActors(each, byEntities));
     }
   }
 
-  private static boolean hasNoActors(ScenarioElement group) {
+  /**
+   * Looks for actions of nobody.
+   *
+   * @param byEntities whether entities trigger the act, which then may be the actors
+   */
+  private void checkActors(ScenarioElement group, boolean byEntities) {
     ScenarioElement actors = group.required("Actors");
-    return actors.children().isEmpty() && !actors.flag("selectTriggeringEntities", false);
+    boolean selects = actors.flag("selectTriggeringEntities", false);
+    if (!actors.children().isEmpty() || (selects && byEntities)) {
+      return;
+    }
+    Findings.within(group)
+        .filter(each -> each.name().equals("PrivateAction"))
+        .findFirst()
+        .ifPresent(
+            action ->
+                findings.add(
+                    StoryboardRules.NO_ACTORS,
+                    action.location(),
+                    "The maneuver group '"
+                        + group.text("name")
+                        + "' has no actors that could do this.",
+                    selects
+                        ? "Name the actors, or let a condition on entities start the act."
+                        : "Name the actors, or set selectTriggeringEntities."));
   }
 }

@@ -1,11 +1,14 @@
 package dev.eventchain.openscenario.storyboard.position;
 
 import dev.eventchain.openscenario.storyboard.scene.Actor;
+import dev.eventchain.openscenario.storyboard.scene.Scene;
 import dev.eventchain.openscenario.storyboard.world.Box;
 import dev.eventchain.openscenario.storyboard.world.EntityState;
 import dev.eventchain.openscenario.storyboard.world.Footprint;
 import dev.eventchain.openscenario.storyboard.world.LanePoint;
 import dev.eventchain.openscenario.storyboard.world.Pose;
+import dev.eventchain.openscenario.storyboard.world.RoadMap;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -32,8 +35,10 @@ public record Body(Pose pose, Optional<Box> box, Optional<LanePoint> road, doubl
     return freespace && box.isPresent() ? Footprint.of(pose, box.get()) : Footprint.of(pose);
   }
 
-  /** Returns it after a short time in which it keeps its velocity. */
-  public Body after(double time) {
+  /**
+   * Returns it after a short time in which it keeps its velocity, along its road if it is on one.
+   */
+  public Body after(Scene scene, double time) {
     Pose moved =
         new Pose(
             pose.x() + vx * time,
@@ -42,6 +47,15 @@ public record Body(Pose pose, Optional<Box> box, Optional<LanePoint> road, doubl
             pose.heading(),
             pose.pitch(),
             pose.roll());
-    return new Body(moved, box, road, vx, vy);
+    Optional<LanePoint> there =
+        road.map(at -> scene.roads().move(at, true, along(scene, at) * time, List.of()))
+            .map(each -> each.map(RoadMap.Moved::point).orElse(road.get()));
+    return new Body(moved, box, there, vx, vy);
+  }
+
+  /** Returns its speed in the direction of the road's s. */
+  private double along(Scene scene, LanePoint point) {
+    double heading = scene.roads().pose(scene.roads().road(point)).heading();
+    return vx * StrictMath.cos(heading) + vy * StrictMath.sin(heading);
   }
 }

@@ -158,7 +158,7 @@ public record Measure(Kind kind, Frame frame, boolean freespace) {
   /** Returns by how much a distance gets smaller per second while both keep their velocities. */
   public OptionalDouble closing(Scene scene, Body from, Body to) {
     OptionalDouble now = distance(scene, from, to);
-    OptionalDouble then = distance(scene, from.after(MOMENT), to.after(MOMENT));
+    OptionalDouble then = distance(scene, from.after(scene, MOMENT), to.after(scene, MOMENT));
     return now.isPresent() && then.isPresent()
         ? OptionalDouble.of((now.getAsDouble() - then.getAsDouble()) / MOMENT)
         : OptionalDouble.empty();

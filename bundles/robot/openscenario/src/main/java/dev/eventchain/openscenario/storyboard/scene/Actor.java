@@ -80,9 +80,17 @@ public final class Actor {
     lateral = way;
   }
 
-  /** Puts it somewhere at once; it goes on from there as it does of itself. */
+  /**
+   * Puts it somewhere at once; it goes on from there as it does of itself. One that is no more
+   * there does nothing any more.
+   */
   public void place(Scene scene, EntityState newState) {
     state = newState;
+    odometer = odometer.at(state);
+    if (!state.exists() && longitudinalTask != null) {
+      longitudinalTask.override();
+      free(scene, longitudinalTask);
+    }
     if (lateralTask != null) {
       lateralTask.override();
       free(scene, lateralTask);
@@ -94,6 +102,7 @@ public final class Actor {
   public void speed(double speed) {
     if (!decides(ControlDomain.LONGITUDINAL)) {
       state = state.withSpeed(entity.performance().limited(speed));
+      odometer = odometer.at(state);
     }
   }
 

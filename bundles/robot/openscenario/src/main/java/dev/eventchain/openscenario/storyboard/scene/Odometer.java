@@ -21,9 +21,22 @@ public record Odometer(double travelled, double standing, double offRoad, double
   Odometer after(double distance, EntityState state, boolean end, double dt) {
     return new Odometer(
         travelled + Math.abs(distance),
-        since(standing, Math.abs(state.speed()) <= STANDING, dt),
+        since(standing, stands(state), dt),
         since(offRoad, state.road().isEmpty(), dt),
         since(atEnd, end, dt));
+  }
+
+  /** Returns it at a moment at which the entity is placed, or gets another speed. */
+  Odometer at(EntityState state) {
+    return new Odometer(
+        travelled,
+        since(standing, stands(state), 0),
+        since(offRoad, state.road().isEmpty(), 0),
+        atEnd);
+  }
+
+  private static boolean stands(EntityState state) {
+    return Math.abs(state.speed()) <= STANDING;
   }
 
   private static double since(double before, boolean now, double dt) {

@@ -69,8 +69,7 @@ final class Event extends Node {
       return false;
     }
     // Without a trigger of its own it has that of the act.
-    Outcome outcome = trigger.map(each -> each.in(scene())).orElse(cause);
-    if (!outcome.holds()) {
+    if (!trigger.map(each -> each.in(scene())).orElse(cause).holds()) {
       return false;
     }
     triggered = scene().step();
@@ -78,7 +77,7 @@ final class Event extends Node {
     if (priority == Priority.SKIP && othersRun()) {
       make(Transition.SKIP, executions < most ? State.STANDBY : State.COMPLETE);
     } else {
-      start(outcome);
+      start();
     }
     return true;
   }
@@ -88,7 +87,8 @@ final class Event extends Node {
         .anyMatch(each -> each != this && each.state() == State.RUNNING);
   }
 
-  private void start(Outcome outcome) {
+  /** Starts its actions, whose actors are those that triggered the act, whatever triggered it. */
+  private void start() {
     if (priority == Priority.OVERRIDE) {
       for (Node each : maneuver.children()) {
         if (each != this && each.state() == State.RUNNING) {
@@ -97,7 +97,7 @@ final class Event extends Node {
       }
     }
     make(Transition.START, State.RUNNING);
-    actions.forEach(each -> each.enter(outcome));
+    actions.forEach(each -> each.enter(cause));
   }
 
   private boolean run() {

@@ -4,11 +4,15 @@ import dev.eventchain.openscenario.storyboard.condition.Outcome;
 import dev.eventchain.openscenario.storyboard.world.Progress.State;
 import dev.eventchain.openscenario.storyboard.world.Progress.Transition;
 
-/** A maneuver group. Another execution of it begins in the step after the end of the last one. */
+/**
+ * A maneuver group. Another execution of it begins when the last one ends, or in the next step if
+ * that took no time.
+ */
 final class Group extends Branch {
 
   private final int most;
   private int executions;
+  private long began;
   private Outcome cause;
 
   Group(String path, Log log, int most) {
@@ -20,12 +24,13 @@ final class Group extends Branch {
   void enter(Outcome by) {
     cause = by;
     executions++;
+    began = scene().step();
     super.enter(by);
   }
 
   @Override
   boolean update() {
-    if (state() == State.STANDBY && !madeNow(Transition.END)) {
+    if (state() == State.STANDBY && began < scene().step()) {
       enter(cause);
       return true;
     }

@@ -2,6 +2,7 @@ package dev.eventchain.openscenario.storyboard.tree;
 
 import dev.eventchain.openscenario.storyboard.scene.Scene;
 import dev.eventchain.openscenario.storyboard.world.Progress;
+import dev.eventchain.openscenario.storyboard.world.Progress.Transition;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -25,8 +26,8 @@ public final class Log {
     return Collections.unmodifiableList(changes);
   }
 
-  void add(String path, String type, Progress now) {
+  void add(String path, String type, Transition transition, Progress now) {
     scene.progress(path, now);
-    changes.add(new Change(scene.time(), path, type, now.transition(), now.state()));
+    changes.add(new Change(scene.time(), path, type, transition, now.state()));
   }
 }

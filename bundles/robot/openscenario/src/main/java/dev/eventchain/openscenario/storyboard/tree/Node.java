@@ -32,19 +32,14 @@ abstract class Node {
     return state() == State.COMPLETE;
   }
 
-  /** Returns whether a transition was made in this step. */
-  boolean madeNow(Transition transition) {
-    return scene().progress(path).is(transition, scene().step());
-  }
-
   void make(Transition transition, State state) {
-    log.add(path, type, new Progress(state, transition, scene().step()));
+    Progress after = scene().progress(path).after(transition, state, scene().step());
+    log.add(path, type, transition, after);
   }
 
-  /** Waits for a trigger; a transition that ended an execution stays the last one. */
+  /** Waits for a trigger; the transition that ended an execution stays one of its step. */
   void standBy() {
-    Progress before = scene().progress(path);
-    log.add(path, type, new Progress(State.STANDBY, before.transition(), before.step()));
+    log.add(path, type, null, scene().progress(path).waiting());
   }
 
   abstract List<? extends Node> children();
