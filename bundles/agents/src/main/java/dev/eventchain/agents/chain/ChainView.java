@@ -63,6 +63,7 @@ public record ChainView(List<ChainView.Component> components) {
    * @param unit within the component; empty if none is stated
    * @param field the path of its field in messages
    * @param converted where it comes from or goes to in other units
+   * @param isSafe that it states what is published of it while inputs are too old
    * @param pointer its JSON pointer
    */
   public record Value(
@@ -71,6 +72,7 @@ public record ChainView(List<ChainView.Component> components) {
       String unit,
       String field,
       Optional<Converted> converted,
+      boolean isSafe,
       String pointer) {
 
     /** Returns the type of its field in messages. */
@@ -164,6 +166,7 @@ public record ChainView(List<ChainView.Component> components) {
         unit,
         text(own, ChainNames.FIELD),
         converted,
+        json.hasNonNull(ChainNames.SAFE_VALUE),
         pointer);
   }
 

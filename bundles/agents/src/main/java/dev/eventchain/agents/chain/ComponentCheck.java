@@ -2,13 +2,17 @@ package dev.eventchain.agents.chain;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.chain.ChainView.Component;
+import dev.eventchain.agents.chain.ChainView.Port;
+import dev.eventchain.agents.chain.ChainView.Value;
 import dev.eventchain.description.ChainNames;
+import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 
 /**
  * Checks properties of a designed component that a description may lack: its frequency, and, for a
- * new component, the types of its values, which its code and its tests depend on.
+ * new component, the types of its values, which its code and its tests depend on, and safe values
+ * without which others have no effect.
  */
 final class ComponentCheck {
   private static final double HIGHEST_FREQUENCY = 10_000;
@@ -26,6 +30,7 @@ final class ComponentCheck {
       if (component.json().isObject()) { // else the reader of descriptions reports it
         frequency(component);
         types(component);
+        safeValues(component);
       }
     }
   }
@@ -61,5 +66,27 @@ final class ComponentCheck {
                     "The value '%s' of '%s' states no type."
                         .formatted(value.name(), component.name()),
                     "State the type of its field as the message definition writes it."));
+  }
+
+  /** While inputs are too old, a message is published only with a safe value for all its fields. */
+  private void safeValues(Component component) {
+    if (existing.contains(component.name())) {
+      return;
+    }
+    for (Port port : component.outputs()) {
+      List<Value> safe = port.values().stream().filter(Value::isSafe).toList();
+      List<String> others =
+          port.values().stream().filter(value -> !value.isSafe()).map(Value::name).toList();
+      if (!safe.isEmpty() && !others.isEmpty()) {
+        findings.add(
+            ChainRules.SAFE_VALUE,
+            safe.get(0).pointer(),
+            "'%s' has a safe value that is never published: other values that '%s' writes to %s have none: %s."
+                .formatted(
+                    safe.get(0).name(), component.name(), port.topic(), String.join(", ", others)),
+            "While inputs are too old, a message is published only if each of its values has a"
+                + " safe value. Give one to all of them.");
+      }
+    }
   }
 }
