@@ -78,6 +78,7 @@ class RunTestCasesTest {
         .says("report.unwritable");
     assertFalse(Files.readString(matrix).contains("proved"), "a broken project proves nothing");
     assertFalse(Files.readString(needs).contains("passed"), Files.readString(needs));
+    assertTrue(Files.readString(needs).contains("not tested: nothing was simulated"), "says why");
   }
 
   @InTurn
@@ -91,7 +92,17 @@ class RunTestCasesTest {
         "RAD-3: \"brake with 9 m/s²\"");
     copy.replace("scenarios/stopped-vehicle-50.yaml", "ttc < 5 s and", "ttc < 0.01 s and");
     Path file = folder.resolve("TEST-run.xml");
-    new Program().run("run", copy.path(), "--report", "junit=" + file).expect(1);
+    Path needs = folder.resolve("needs.json");
+    new Program()
+        .run("run", copy.path(), "--report", "junit=" + file, "--report", "needs=" + needs)
+        .expect(1);
+    JsonNode all = new ObjectMapper().readTree(needs.toFile()).at("/versions/1/needs");
+    assertTrue(
+        all.at("/RAD-4/content")
+            .asText()
+            .contains("not tested: No scenario tests the requirement RAD-4"),
+        all.get("RAD-4").toString());
+    assertFalse(all.at("/RAD-3/content").asText().contains("not tested"), "it is violated");
     Document report = read(file);
     Element failed =
         testCase(

@@ -38,11 +38,17 @@ final class CollectedEvidence {
   private final Optional<Simulated> simulated;
   private final List<Diagnostic> found;
   private final Optional<EventChain> chain;
+  private final UntestedReasons why;
 
-  private CollectedEvidence(RunContext run, Optional<Simulated> simulated, List<Diagnostic> found) {
+  private CollectedEvidence(
+      RunContext run,
+      Optional<Simulated> simulated,
+      List<Diagnostic> found,
+      List<Diagnostic> suppressed) {
     this.run = run;
     this.simulated = simulated;
     this.found = found;
+    this.why = new UntestedReasons(simulated, found, suppressed, run.options().isPartial());
     this.chain = readable(() -> run.chain().chain());
   }
 
@@ -51,6 +57,7 @@ final class CollectedEvidence {
    *
    * @param simulated the report of the simulation, if there was one
    * @param found the findings of the run that count
+   * @param suppressed those that do not
    * @param implemented the outcome of the stage that tests components
    * @param summary the verdict in a sentence
    */
@@ -58,10 +65,12 @@ final class CollectedEvidence {
       RunContext run,
       Optional<Simulated> simulated,
       List<Diagnostic> found,
+      List<Diagnostic> suppressed,
       StageOutcome implemented,
       String summary) {
     return FileReads.unrecorded(
-        () -> new CollectedEvidence(run, simulated, found).collect(implemented, summary));
+        () ->
+            new CollectedEvidence(run, simulated, found, suppressed).collect(implemented, summary));
   }
 
   private Evidence collect(StageOutcome implemented, String summary) {
@@ -98,11 +107,13 @@ final class CollectedEvidence {
         simulated.map(Simulated::requirements).orElse(List.of()).stream()
             .filter(each -> each.id().equals(item.id()))
             .findFirst();
+    Verdict verdict = outcome.map(this::verdict).orElse(Verdict.NOT_TESTED);
     return new Evidence.Requirement(
         item.id(),
         item.text(),
         item.location(),
-        outcome.map(this::verdict).orElse(Verdict.NOT_TESTED),
+        verdict,
+        verdict == Verdict.NOT_TESTED ? Optional.of(why.of(item.id())) : Optional.empty(),
         outcome
             .flatMap(RequirementOutcome::strength)
             .map(it -> new Strength(it.noticed(), it.faults(), it.sampleOf())));

@@ -83,7 +83,7 @@ final class Conclusion {
     requireReason(verdict, scenarios, suppressed);
     String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
     Optional<Path> report = report(verdict, summary, found);
-    Evidence evidence = evidence(found, verdict + ": " + summary);
+    Evidence evidence = evidence(found, suppressed, verdict + ": " + summary);
     return new RunResult(
         verdict,
         summary,
@@ -100,8 +100,10 @@ final class Conclusion {
         evidence);
   }
 
-  private Evidence evidence(List<Diagnostic> found, String summary) {
-    return CollectedEvidence.of(run, simulated(), found, outcome(Stage.IMPLEMENT), summary);
+  private Evidence evidence(List<Diagnostic> found, List<Suppressed> suppressed, String summary) {
+    List<Diagnostic> accepted = suppressed.stream().map(Suppressed::finding).toList();
+    return CollectedEvidence.of(
+        run, simulated(), found, accepted, outcome(Stage.IMPLEMENT), summary);
   }
 
   private List<Trial> trials(

@@ -177,7 +177,7 @@ final class RunTrials {
         Trial.Kind.REQUIREMENT,
         id,
         outcome(requirement.outcome() == RequirementOutcome.Outcome.PROVED, isExcused),
-        requirement.outcome().words() + strength(requirement),
+        words(requirement) + strength(requirement),
         seconds.getOrDefault(id, 0.0),
         about,
         evidence.requirement(id).flatMap(RunTrials::links));
@@ -193,6 +193,13 @@ final class RunTrials {
         requirement.isFullyVerified()
             ? new Trial.Evidence(requirement.place(), id, List.of())
             : new Trial.Evidence(requirement.place(), List.of(), id));
+  }
+
+  private String words(RequirementOutcome requirement) {
+    return evidence
+        .requirement(requirement.id())
+        .map(it -> it.reason().map(why -> it.words()).orElse(requirement.outcome().words()))
+        .orElse(requirement.outcome().words());
   }
 
   private static String strength(RequirementOutcome requirement) {

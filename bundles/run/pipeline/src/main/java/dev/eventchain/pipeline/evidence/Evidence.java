@@ -60,10 +60,21 @@ public record Evidence(
    * A requirement.
    *
    * @param place where it is written
+   * @param reason why it is not tested, in words without a full stop; empty if it is
    * @param strength empty if it was not measured
    */
   public record Requirement(
-      String id, String text, SourceLocation place, Verdict verdict, Optional<Strength> strength) {
+      String id,
+      String text,
+      SourceLocation place,
+      Verdict verdict,
+      Optional<String> reason,
+      Optional<Strength> strength) {
+
+    /** Returns the verdict for people, with the reason if it is not tested. */
+    public String words() {
+      return reason.map(it -> verdict.words() + ": " + it).orElse(verdict.words());
+    }
 
     /**
      * Returns whether nothing remains to be shown, as far as that is measured: it is proved, all

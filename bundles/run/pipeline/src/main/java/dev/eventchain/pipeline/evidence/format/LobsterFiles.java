@@ -78,7 +78,7 @@ final class LobsterFiles {
     item.put("framework", "eventchain").put("kind", "requirement");
     item.put("text", requirement.text()).put("status", requirement.verdict().words());
     if (requirement.verdict() != Verdict.PROVED) {
-      item.withArray("messages").add(requirement.verdict().words());
+      item.withArray("messages").add(requirement.words());
     }
     return item;
   }

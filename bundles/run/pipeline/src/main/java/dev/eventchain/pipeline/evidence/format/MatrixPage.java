@@ -63,6 +63,7 @@ final class MatrixPage {
     page.add("<tr><td><b>%s</b> %s</td>", requirement.id(), requirement.text());
     page.raw("<td>");
     mark(style(requirement.verdict()), requirement.verdict().words());
+    page.add(" %s", requirement.reason().orElse(""));
     page.add(
         "</td><td>%s</td>", requirement.strength().map(Strength::words).orElse("not measured"));
     page.raw("<td><ul>");
@@ -100,7 +101,7 @@ final class MatrixPage {
     Result result = result(test, requirement);
     page.raw("<li>");
     mark(style(result), result.words());
-    page.add(" %s</li>", test.fullName());
+    page.add(" %s</li>", test.fullName() + (test.text().isEmpty() ? "" : ": " + test.text()));
   }
 
   private void mark(String style, String words) {

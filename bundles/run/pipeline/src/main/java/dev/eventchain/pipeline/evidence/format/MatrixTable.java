@@ -32,7 +32,8 @@ final class MatrixTable {
           "result",
           "linked",
           "file",
-          "line");
+          "line",
+          "reason");
 
   private final Evidence evidence;
   private final CsvText table = new CsvText("\n");
@@ -89,7 +90,8 @@ final class MatrixTable {
             result,
             linked,
             place.file(),
-            place.line() > 0 ? Integer.toString(place.line()) : ""));
+            place.line() > 0 ? Integer.toString(place.line()) : "",
+            requirement.reason().orElse("")));
   }
 
   private static String sampled(OptionalLong faults) {

@@ -49,9 +49,11 @@ final class NeedsJson {
 
   private void requirement(Requirement requirement) {
     String strength = requirement.strength().map(it -> "\n\n" + it.words()).orElse("");
+    String reason =
+        requirement.reason().map(it -> "\n\n" + escaped(requirement.words())).orElse("");
     need(requirement.id(), "req", requirement.id(), List.of())
         .put("status", requirement.verdict().words())
-        .put("content", escaped(requirement.text()) + strength);
+        .put("content", escaped(requirement.text()) + reason + strength);
   }
 
   private void component(Component component) {

@@ -15,6 +15,7 @@ import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Adds the verdict on each requirement to a ReqIF document, as attributes {@code
@@ -171,14 +172,15 @@ final class ReqifVerdicts {
   }
 
   private String values(Requirement requirement, int type) {
-    String tests =
+    Stream<String> tests =
         evidence.tests().stream()
             .filter(each -> each.about(requirement.id()).isPresent())
-            .map(each -> item(each, requirement.id()))
-            .collect(Collectors.joining("; "));
+            .map(each -> item(each, requirement.id()));
+    Stream<String> reason = requirement.reason().map(it -> requirement.words()).stream();
+    String all = Stream.concat(reason, tests).collect(Collectors.joining("; "));
     return VERDICT_VALUE.formatted(key(requirement.verdict()), type)
         + requirement.strength().map(it -> string("strength", type, it.words())).orElse("")
-        + (tests.isEmpty() ? "" : string("evidence", type, tests));
+        + (all.isEmpty() ? "" : string("evidence", type, all));
   }
 
   private static String item(Test test, String requirement) {

@@ -61,8 +61,9 @@ class EvidenceFormatTest {
             "&lt;b&gt;and&lt;/b&gt;",
             "<span class=\"mark is-bad\">violated</span>",
             "notices 3 of 14 faults",
-            "<span class=\"mark is-open\">not tested</span> Warning: lamp",
-            "<span class=\"mark is-bad\">failed</span> late",
+            "<span class=\"mark is-open\">not tested</span> scenario fog: *it* &lt;warns&gt;",
+            "<span class=\"mark is-open\">not tested</span> Warning: lamp: It did not run.",
+            "<span class=\"mark is-bad\">failed</span> late: not met: the vehicle stops",
             "<span class=\"mark is-good\">1 passed</span>")) {
       assertTrue(page.contains(part), part);
     }
@@ -86,6 +87,7 @@ class EvidenceFormatTest {
             some.text(),
             some.place(),
             verdict,
+            Optional.empty(),
             Optional.of(new Strength(noticed, faults, sampleOf)))
         .isFullyVerified();
   }

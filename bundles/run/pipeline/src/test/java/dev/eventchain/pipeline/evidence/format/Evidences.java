@@ -26,14 +26,20 @@ final class Evidences {
         "Brake & <warn>",
         "FAILED: 1 of 3 scenarios passed",
         List.of(
-            requirement("BRK-1", "It brakes.", Verdict.PROVED, strength(14, 14)),
-            requirement("BRK-2", "It brakes with 9 m/s².", Verdict.PROVED, strength(3, 14)),
-            requirement("BRK-3", "It stops.", Verdict.VIOLATED, Optional.empty()),
-            requirement("BRK-4", "It warns.", Verdict.NOT_TESTED, strength(0, 4)),
+            requirement("BRK-1", "It brakes.", Verdict.PROVED, "", strength(14, 14)),
+            requirement("BRK-2", "It brakes with 9 m/s².", Verdict.PROVED, "", strength(3, 14)),
+            requirement("BRK-3", "It stops.", Verdict.VIOLATED, "", Optional.empty()),
+            requirement(
+                "BRK-4",
+                "It warns.",
+                Verdict.NOT_TESTED,
+                "scenario fog: *it* <warns>: nothing was near",
+                strength(0, 4)),
             requirement(
                 "BRK_5",
                 "*It* has |a| `name_` <b>and</b> [x]_, \"q\" & \\.",
                 Verdict.NOT_TESTED,
+                "No scenario tests the requirement BRK_5",
                 Optional.empty())),
         List.of(
             component("Brake", "BRK-1", "BRK-2", "BRK-3"), component("Warning", "BRK-4", "BRK_5")),
@@ -72,8 +78,9 @@ final class Evidences {
   }
 
   private static Requirement requirement(
-      String id, String text, Verdict verdict, Optional<Strength> strength) {
-    return new Requirement(id, text, at("requirements.md", 2), verdict, strength);
+      String id, String text, Verdict verdict, String reason, Optional<Strength> strength) {
+    Optional<String> why = Optional.of(reason).filter(it -> !it.isEmpty());
+    return new Requirement(id, text, at("requirements.md", 2), verdict, why, strength);
   }
 
   private static Component component(String name, String... satisfies) {

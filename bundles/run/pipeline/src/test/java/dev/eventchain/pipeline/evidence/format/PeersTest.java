@@ -167,6 +167,9 @@ class PeersTest {
     JsonNode all = json("sphinx/html/needs.json").get("versions");
     JsonNode needs = all.iterator().next().get("needs");
     assertEquals("not tested", needs.at("/BRK-4/status").asText());
+    String html = Files.readString(sphinx.resolve("html/index.html"));
+    assertTrue(html.contains("not tested: scenario fog: *it* &lt;warns&gt;"), "says why");
+    assertTrue(html.contains("not tested: No scenario tests the requirement BRK_5"), "says why");
     assertEquals("passed", needs.at("/SCENARIO_STOPPED/status").asText());
     assertEquals("[\"BRK-1\",\"BRK-2\"]", needs.at("/SCENARIO_STOPPED/links").toString());
     assertEquals("not tested", needs.at("/SCENARIO_FOG/status").asText());
@@ -216,6 +219,10 @@ class PeersTest {
     Path lobster = folder.resolve("lobster");
     passes(lobster, "lobster-report", "--out", "../report.lobster");
     assertEquals(1, tools.run(folder, "lobster-ci-report", "report.lobster").code());
+    passes(folder, "lobster-html-report", "--out", "report.html", "report.lobster");
+    String html = Files.readString(folder.resolve("report.html"));
+    assertTrue(html.contains("not tested: No scenario tests the requirement BRK_5"), "says why");
+    assertTrue(html.contains("not tested: It did not run."), "says why");
     Map<String, String> found = new TreeMap<>();
     for (JsonNode level : json("report.lobster").get("levels")) {
       for (JsonNode item : level.get("items")) {

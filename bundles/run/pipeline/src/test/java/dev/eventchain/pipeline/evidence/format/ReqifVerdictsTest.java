@@ -43,6 +43,7 @@ class ReqifVerdictsTest {
                         each.text(),
                         SourceLocation.of(document),
                         each.verdict(),
+                        each.reason(),
                         each.strength()))
             .toList(),
         full.components(),
