@@ -35,7 +35,7 @@ final class LaunchCondition {
     return Optional.of(true);
   }
 
-  private static Optional<Boolean> truth(String text) {
+  static Optional<Boolean> truth(String text) {
     String plain = text.strip().toLowerCase(Locale.ROOT);
     return TRUE.contains(plain)
         ? Optional.of(true)
@@ -52,7 +52,7 @@ final class LaunchCondition {
    * Returns whether texts are equal. One condition compares characters, and another one numbers and
    * Booleans: empty where these differ.
    */
-  private static Optional<Boolean> equal(String one, String other) {
+  static Optional<Boolean> equal(String one, String other) {
     if (one.equals(other)) {
       return Optional.of(true);
     }

@@ -123,6 +123,11 @@ record LaunchElement(
     return value.isTextual() ? Optional.of(value.asText()) : Optional.empty();
   }
 
+  /** Returns an attribute as it is written; empty if it is not there, or not known. */
+  Optional<String> known(String attribute) {
+    return attributes.getOrDefault(attribute, Optional.empty());
+  }
+
   List<LaunchElement> children(String name) {
     return children.stream().filter(child -> child.kind().equals(name)).toList();
   }

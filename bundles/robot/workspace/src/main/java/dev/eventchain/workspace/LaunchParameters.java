@@ -33,8 +33,23 @@ final class LaunchParameters {
               + "|[-+]?0[0-9xob_].*|[-+]?[0-9][0-9_:]*[_:][0-9_:.]*",
           Pattern.DOTALL);
 
+  /** Attributes with the arguments of a node. */
+  private static final List<String> ARGUMENTS = List.of("args", "ros_args");
+
+  private static final Pattern ASSIGNS = Pattern.compile("(^|\\s)(-p|--param\\S*)(\\s|$)");
+  private static final Pattern WITHOUT_EFFECT =
+      Pattern.compile("\\s*(--ros-args\\s*)?(--log-level\\s+\\S+\\s*)*(--\\s*)?");
+
   private static final Set<String> KNOWN =
       Set.of("name", "value", "json", "type", "from", "filename", "allow_substs", "text");
+
+  /** Returns whether the arguments of a node may give it parameters. */
+  static boolean mayAssign(LaunchElement element, LaunchScope scope) {
+    return ARGUMENTS.stream()
+        .filter(element.attributes()::containsKey)
+        .map(attribute -> scope.text(element, attribute))
+        .anyMatch(it -> it.isEmpty() || ASSIGNS.matcher(it.get()).find());
+  }
 
   private final Function<String, Optional<String>> substituted;
   private final Function<LaunchElement, Optional<SourceText>> files;
@@ -152,6 +167,18 @@ final class LaunchParameters {
 
   private static Optional<String> attribute(LaunchElement element, String name) {
     return element.attributes().getOrDefault(name, Optional.empty());
+  }
+
+  /** Asks about arguments of a node of the workspace, which a host does not give it. */
+  void askAboutArguments(LaunchElement element, LaunchScope scope) {
+    for (String attribute : ARGUMENTS) {
+      Optional<String> given = scope.text(element, attribute);
+      boolean isPlain = given.filter(it -> WITHOUT_EFFECT.matcher(it).matches()).isPresent();
+      if (element.attributes().containsKey(attribute) && !isPlain) {
+        String which = given.map(it -> " '" + it.strip() + "'").orElse("");
+        ask(element, "What do the arguments" + which + " change of this node? It gets none.");
+      }
+    }
   }
 
   private void ask(LaunchElement element, String text) {

@@ -20,12 +20,8 @@ final class LaunchRun {
       Pattern.compile("\\$\\(find-pkg-share '?([^)' ]+)'?\\)/+(.+)");
   private static final Pattern HERE = Pattern.compile("\\$\\(dirname\\)/+(.+)");
 
-  /** Attributes with the arguments of a node. */
-  private static final List<String> ARGUMENTS = List.of("args", "ros_args");
-
-  private static final Pattern ASSIGNS = Pattern.compile("(^|\\s)(-p|--param\\S*)(\\s|$)");
-  private static final Pattern WITHOUT_EFFECT =
-      Pattern.compile("\\s*(--ros-args\\s*)?(--log-level\\s+\\S+\\s*)*(--\\s*)?");
+  /** What belongs to a container and is no node. */
+  private static final Set<String> CONTAINED = Set.of("param", "remap", "env");
 
   private static final Set<String> WITHOUT_NODES =
       Set.of("log", "set_env", "unset_env", "ignored", "param", "remap");
@@ -62,16 +58,16 @@ final class LaunchRun {
       Function<String, Optional<SourceText>> texts) {}
 
   /**
-   * A timer, whose nodes are started later.
+   * A timer or an event handler, whose nodes are started later.
    *
    * @param nodes those that it starts in the scope in which it stands
    */
-  private record Timer(LaunchElement element, List<Started> nodes, int depth) {}
+  private record Later(LaunchElement element, List<Started> nodes, int depth) {}
 
   private final Sources sources;
   private final List<OpenQuestion> questions;
   private final List<Started> started = new ArrayList<>();
-  private final List<Timer> timers = new ArrayList<>();
+  private final List<Later> later = new ArrayList<>();
 
   /** Groups that may leave remappings or parameters behind for nodes that are started later. */
   private final List<LaunchElement> leaking = new ArrayList<>();
@@ -99,7 +95,7 @@ final class LaunchRun {
     LaunchRun run = new LaunchRun(sources, questions, false);
     LaunchScope scope = new LaunchScope();
     run.file(file, scope, 0);
-    run.timers.forEach(timer -> run.askAbout(timer, scope));
+    run.later.forEach(each -> run.askAbout(each, scope));
     return run.started;
   }
 
@@ -119,7 +115,7 @@ final class LaunchRun {
   }
 
   private void element(LaunchElement element, LaunchScope scope, int depth) {
-    Optional<Boolean> condition = LaunchCondition.holds(element, it -> text(element, it, scope));
+    Optional<Boolean> condition = LaunchCondition.holds(element, it -> scope.text(element, it));
     if (condition.isEmpty() && !element.kind().equals("arg")) {
       ask(element, "Is this launched? It is under a condition, and taken as launched.");
     }
@@ -132,18 +128,20 @@ final class LaunchRun {
     switch (element.kind()) {
       case "arg" -> argument(element, isSure ? "default" : "", scope);
       case "let", "keep" -> variable(element, isSure ? "value" : "", scope);
-      case "unset" -> known(element, "name").ifPresent(scope::unset);
+      case "unset" -> element.known("name").ifPresent(scope::unset);
       case "push_ros_namespace" -> scope.namespace = namespace(element, scope);
       case "set_remap" -> scope.remaps.addAll(remaps(element, List.of(element), scope));
       case "group" -> group(element, scope, depth);
-      case "timer", "ros_timer" -> timer(element, scope, depth);
+      case "timer", "ros_timer", "event_handler" -> later(element, scope, depth);
       case "include" -> include(element, scope, depth);
-      case "node" -> node(element, scope);
+      case "node" -> node(element, "exec", scope);
+      case "node_container", "load_composable_node" -> container(element, scope, depth);
+      case "composable_node" -> node(element, "plugin", scope);
       case "set_parameter", "set_parameters_from_file" ->
           scope.parameters.addAll(parameters(scope).ofAll(element));
       default -> {
         if (!WITHOUT_NODES.contains(element.kind())) {
-          String reason = known(element, "text").orElse("'" + element.kind() + "' is not read");
+          String reason = element.known("text").orElse("'" + element.kind() + "' is not read");
           ask(element, "Which nodes does this launch: " + reason + "?");
         }
       }
@@ -151,7 +149,7 @@ final class LaunchRun {
   }
 
   private void group(LaunchElement element, LaunchScope scope, int depth) {
-    if (!text(element, "forwarding", scope).orElse("true").equalsIgnoreCase("true")) {
+    if (!scope.text(element, "forwarding").orElse("true").equalsIgnoreCase("true")) {
       ask(element, "What does this group get of what is set around it? It is taken to get all.");
     }
     LaunchScope inner = isScoped(element, scope) ? scope.inner() : scope;
@@ -163,45 +161,79 @@ final class LaunchRun {
     }
   }
 
-  /** Launches what a timer starts, as if it did so at once, in a scope of its own. */
-  private void timer(LaunchElement element, LaunchScope scope, int depth) {
+  /** Launches the nodes that are loaded into a container, which has no topics of its own. */
+  private void container(LaunchElement element, LaunchScope scope, int depth) {
+    boolean isUsual = scope.text(element, "pkg").equals(Optional.of("rclcpp_components"));
+    if (element.kind().equals("node_container") && !isUsual) {
+      node(element, "exec", scope);
+    }
+    element.children().stream()
+        .filter(child -> !CONTAINED.contains(child.kind()))
+        .forEach(child -> element(child, scope, depth));
+  }
+
+  /** Launches what starts later, as if it did so at once, in a scope of its own. */
+  private void later(LaunchElement element, LaunchScope scope, int depth) {
     int first = started.size();
     LaunchScope inner = scope.inner();
     element.children().forEach(child -> element(child, inner, depth));
     List<Started> nodes = List.copyOf(started.subList(first, started.size()));
-    timers.add(new Timer(element, nodes, depth));
+    later.add(new Later(element, nodes, depth));
   }
 
-  /** Asks about a timer that starts other nodes in the scope that is left at the end. */
-  private void askAbout(Timer timer, LaunchScope end) {
-    LaunchRun later = new LaunchRun(sources, new ArrayList<>(), isWhole);
+  /** Asks about what starts other nodes in the scope that is left at the end, or may not start. */
+  private void askAbout(Later each, LaunchScope end) {
+    LaunchElement element = each.element();
+    if (!each.nodes().isEmpty() && element.kind().equals("event_handler")) {
+      askAboutEvent(element);
+    }
+    LaunchRun run = new LaunchRun(sources, new ArrayList<>(), isWhole);
     LaunchScope scope = end.inner();
-    timer.element().children().forEach(child -> later.element(child, scope, timer.depth()));
-    if (!later.started.equals(timer.nodes())) {
+    element.children().forEach(child -> run.element(child, scope, each.depth()));
+    if (!run.started.equals(each.nodes())) {
+      String what =
+          element.kind().equals("event_handler")
+              ? "event handler get? Those where it stands are taken; ROS 2 may take those that are"
+                  + " left when the event comes."
+              : "timer get? Those where it stands are taken, as newer versions of ROS 2 do; older"
+                  + " ones take those that are left when it fires.";
       ask(
-          timer.element(),
-          "Which arguments, namespace, remappings and parameters do the nodes of this timer get?"
-              + " Those where it stands are taken, as newer versions of ROS 2 do; older ones take"
-              + " those that are left when it fires.");
+          element,
+          "Which arguments, namespace, remappings and parameters do the nodes of this " + what);
+    }
+  }
+
+  /** Asks about an event that is not the start of a node that is started. */
+  private void askAboutEvent(LaunchElement element) {
+    Optional<String> target = element.known("target");
+    boolean comes =
+        started.stream()
+            .filter(node -> element.known("event").equals(Optional.of("start")))
+            .filter(node -> node.file().equals(element.file()))
+            .anyMatch(node -> target.equals(Optional.of(String.valueOf(node.line()))));
+    if (!comes) {
+      ask(
+          element,
+          "Is this launched? It waits for an event of another process, and is taken as launched.");
     }
   }
 
   private void argument(LaunchElement element, String value, LaunchScope scope) {
-    if (!known(element, "name").filter(scope::isSet).isPresent()) {
+    if (!element.known("name").filter(scope::isSet).isPresent()) {
       variable(element, value, scope);
     }
   }
 
   private void variable(LaunchElement element, String attribute, LaunchScope scope) {
-    Optional<String> value = path(element, attribute, scope);
-    known(element, "name").ifPresent(name -> scope.set(name, value));
+    Optional<String> value = scope.path(element, attribute);
+    element.known("name").ifPresent(name -> scope.set(name, value));
   }
 
   private Optional<String> namespace(LaunchElement element, LaunchScope scope) {
     if (!element.attributes().containsKey("namespace")) {
       return scope.namespace;
     }
-    Optional<String> given = text(element, "namespace", scope);
+    Optional<String> given = scope.text(element, "namespace");
     if (given.isEmpty()) {
       ask(element, "What is the namespace?");
     }
@@ -215,7 +247,8 @@ final class LaunchRun {
 
   private void include(LaunchElement element, LaunchScope scope, int depth) {
     Optional<String> file =
-        path(element, "file", scope)
+        scope
+            .path(element, "file")
             .flatMap(it -> located(it, element.file()))
             .filter(sources.files()::containsKey);
     if (file.isEmpty() || depth > DEEPEST) {
@@ -223,7 +256,7 @@ final class LaunchRun {
       return;
     }
     included.add(file.get());
-    if (element.children("arg").stream().anyMatch(it -> known(it, "name").isEmpty())) {
+    if (element.children("arg").stream().anyMatch(it -> it.known("name").isEmpty())) {
       ask(
           element,
           "Which arguments does this give the included launch file? It is taken to give none.");
@@ -254,21 +287,27 @@ final class LaunchRun {
         text -> scope.text(text).filter(LaunchScope::isComplete),
         element -> {
           String attribute = element.attributes().containsKey("from") ? "from" : "filename";
-          return path(element, attribute, scope)
+          return scope
+              .path(element, attribute)
               .flatMap(it -> located(it, element.file()))
               .flatMap(sources.texts());
         },
         questions);
   }
 
-  private void node(LaunchElement element, LaunchScope scope) {
-    Optional<String> owner = text(element, "pkg", scope);
-    Optional<String> executable = text(element, "exec", scope);
+  /**
+   * Starts a node.
+   *
+   * @param program the attribute that names its executable, or its class in a library
+   */
+  private void node(LaunchElement element, String program, LaunchScope scope) {
+    Optional<String> owner = scope.text(element, "pkg");
+    Optional<String> executable = scope.text(element, program);
     if (owner.isEmpty() || executable.isEmpty()) {
       ask(element, "Which executable of which package is this?");
       return;
     }
-    Optional<String> name = text(element, "name", scope);
+    Optional<String> name = scope.text(element, "name");
     boolean unknown = element.attributes().containsKey("name") && name.isEmpty();
     if (unknown) {
       ask(element, "What is the name of this node?");
@@ -288,7 +327,9 @@ final class LaunchRun {
             parameters(element, scope, name, namespace),
             element.file(),
             element.line()));
-    arguments(element, owner.get(), scope);
+    if (sources.packages().containsKey(owner.get())) {
+      parameters(scope).askAboutArguments(element, scope);
+    }
   }
 
   /** Asks about groups that stand before a node: there is one list of what is set for all nodes. */
@@ -315,32 +356,10 @@ final class LaunchRun {
             : ParameterAssignment.ALL;
     List<ParameterAssignment> all = new ArrayList<>(scope.parameters);
     all.addAll(parameters(scope).of(element, nodes));
-    if (mayAssign(element, scope)) {
+    if (LaunchParameters.mayAssign(element, scope)) {
       all.add(ParameterAssignment.unknown());
     }
     return all;
-  }
-
-  /** Returns whether the arguments of a node may give it parameters. */
-  private static boolean mayAssign(LaunchElement element, LaunchScope scope) {
-    return ARGUMENTS.stream()
-        .filter(element.attributes()::containsKey)
-        .map(attribute -> text(element, attribute, scope))
-        .anyMatch(it -> it.isEmpty() || ASSIGNS.matcher(it.get()).find());
-  }
-
-  /** Asks about arguments of a node of the workspace, which a host does not give it. */
-  private void arguments(LaunchElement element, String owner, LaunchScope scope) {
-    for (String attribute : ARGUMENTS) {
-      Optional<String> given = text(element, attribute, scope);
-      boolean isPlain = given.filter(it -> WITHOUT_EFFECT.matcher(it).matches()).isPresent();
-      if (element.attributes().containsKey(attribute)
-          && !isPlain
-          && sources.packages().containsKey(owner)) {
-        String which = given.map(it -> " '" + it.strip() + "'").orElse("");
-        ask(element, "What do the arguments" + which + " change of this node? It gets none.");
-      }
-    }
   }
 
   /** Returns whether a group keeps what it changes, which it does unless it says otherwise. */
@@ -348,7 +367,7 @@ final class LaunchRun {
     if (!element.attributes().containsKey("scoped")) {
       return true;
     }
-    Optional<String> scoped = text(element, "scoped", scope);
+    Optional<String> scoped = scope.text(element, "scoped");
     if (scoped.filter(it -> it.matches("(?i:true|false)")).isEmpty()) {
       ask(element, "Does this group keep its namespace, remappings and parameters to itself?");
     }
@@ -360,8 +379,8 @@ final class LaunchRun {
     List<TopicNames.Remap> found = new ArrayList<>();
     for (LaunchElement remap : elements) {
       LaunchElement pair = remap.children("remap").stream().findFirst().orElse(remap);
-      Optional<String> from = text(pair, "from", scope);
-      Optional<String> to = text(pair, "to", scope);
+      Optional<String> from = scope.text(pair, "from");
+      Optional<String> to = scope.text(pair, "to");
       if (from.isPresent() && to.isPresent()) {
         found.add(new TopicNames.Remap(from.get(), to.get()));
       } else {
@@ -369,20 +388,6 @@ final class LaunchRun {
       }
     }
     return found;
-  }
-
-  private static Optional<String> known(LaunchElement element, String attribute) {
-    return element.attributes().getOrDefault(attribute, Optional.empty());
-  }
-
-  /** Returns the value of an attribute with its variables; empty if it is not known. */
-  private static Optional<String> text(LaunchElement element, String attribute, LaunchScope scope) {
-    return path(element, attribute, scope).filter(LaunchScope::isComplete);
-  }
-
-  /** Returns the value of an attribute likewise, which may begin with the folder of a package. */
-  private static Optional<String> path(LaunchElement element, String attribute, LaunchScope scope) {
-    return known(element, attribute).flatMap(scope::text);
   }
 
   private void ask(LaunchElement element, String text) {

@@ -72,6 +72,16 @@ final class LaunchScope {
     return !text.contains("$(");
   }
 
+  /** Returns the value of an attribute with its variables; empty if it is not known. */
+  Optional<String> text(LaunchElement element, String attribute) {
+    return path(element, attribute).filter(LaunchScope::isComplete);
+  }
+
+  /** Returns the value of an attribute likewise, which may begin with the folder of a package. */
+  Optional<String> path(LaunchElement element, String attribute) {
+    return element.known(attribute).flatMap(this::text);
+  }
+
   /**
    * Returns a text with the values of its variables, {@code $(var NAME)} or {@code $(var NAME
    * DEFAULT)}; other substitutions stay. Empty if a variable has no value.
@@ -115,6 +125,9 @@ final class LaunchScope {
 
   private Optional<String> substitution(String inner, int depth) {
     String[] parts = inner.split(" ", 3);
+    if (LaunchSubstitution.isOne(parts[0]) && depth <= DEEPEST) {
+      return LaunchSubstitution.value(inner, word -> text(word, depth + 1));
+    }
     if (parts.length < 2 || !parts[0].matches("var|arg") || depth > DEEPEST) {
       return Optional.of("$(" + inner + ")");
     }

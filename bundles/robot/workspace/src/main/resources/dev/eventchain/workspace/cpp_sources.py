@@ -5,6 +5,7 @@ Macros, templates, base classes and names of other files are not followed, so wh
 
 from __future__ import annotations
 
+import itertools
 import re
 
 from source_modules import Question
@@ -29,6 +30,8 @@ _POLICIES = {
     "durability_volatile": ("durability", "VOLATILE"),
     "keep_all": ("history", "KEEP_ALL"),
 }
+_REGISTERED = re.compile(r"\bRCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*([\w:]+)\s*\)")
+_OF_PLUGIN = re.compile(r"\brclcpp_components_register_node\s*\(([^)]{0,5000})\)")
 _EXECUTABLE = re.compile(r"\badd_executable\s*\(\s*(\w+)\s+([^)]{0,5000})\)")
 
 
@@ -36,6 +39,22 @@ def executables(text: str) -> dict[str, list[str]]:
     """Return the sources of the executables of a CMakeLists.txt, as written."""
     plain = re.sub(r"#[^\n]*", "", text)
     return {found[1]: found[2].split() for found in _EXECUTABLE.finditer(plain)}
+
+
+def plugins(source: str) -> list[str]:
+    """Return the classes that a source registers, to be loaded into a container."""
+    return [found.removeprefix("::") for found in _REGISTERED.findall(source)]
+
+
+def executables_of_plugins(text: str) -> dict[str, str]:
+    """Return the registered class of each executable that a CMakeLists.txt has for one."""
+    found: dict[str, str] = {}
+    for match in _OF_PLUGIN.finditer(re.sub(r"#[^\n]*", "", text)):
+        words = match[1].replace('"', " ").split()
+        options = dict(itertools.pairwise(words))
+        if "PLUGIN" in options and "EXECUTABLE" in options:
+            found[options["EXECUTABLE"]] = options["PLUGIN"]
+    return found
 
 
 def read(file: str, source: str, questions: list[Question]) -> Json | None:

@@ -17,15 +17,28 @@ from source_modules import FUNCTIONS, Function, Module, last_name
 
 Json = dict[str, object]
 
-_IGNORED = frozenset({"LogInfo", "SetEnvironmentVariable", "Shutdown"})
+_IGNORED = frozenset(
+    {"LogInfo", "SetEnvironmentVariable", "AppendEnvironmentVariable", "UnsetEnvironmentVariable", "Shutdown"}
+)
 _DECISIONS = (ast.If, ast.For, ast.While, ast.With, ast.Try)
 _NODES = frozenset({"Node", "LifecycleNode"})
 _TIMERS = frozenset({"TimerAction", "RosTimer"})
 _CONDITIONS = {"IfCondition": "if", "UnlessCondition": "unless"}
 _COMPARISONS = {"LaunchConfigurationEquals": "equals", "LaunchConfigurationNotEquals": "differs"}
-_EQUALITIES = frozenset({"EqualsSubstitution", "NotEqualsSubstitution"})
+_DECIDING = {
+    "AndSubstitution": "and",
+    "OrSubstitution": "or",
+    "NotSubstitution": "not",
+    "AnySubstitution": "any",
+    "AllSubstitution": "all",
+    "EqualsSubstitution": "equals",
+    "NotEqualsSubstitution": "not-equals",
+    "IfElseSubstitution": "if",
+    "PythonExpression": "eval",
+}
+_EVENTS = {"OnProcessStart": "on_start", "OnProcessExit": "on_exit", "OnExecutionComplete": "on_completion"}
 _SUBSTITUTED = frozenset({"text", "package", "variable_name"})
-_NAMED = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
+_NAMED = {"package": "pkg", "executable": "exec", "plugin": "plugin", "name": "name", "namespace": "namespace"}
 _ARGUMENTS = {"arguments": "args", "ros_arguments": "ros_args"}
 _SHARES = frozenset({"get_package_share_directory", "FindPackageShare", "get_package_share_path"})
 
@@ -97,10 +110,6 @@ class LaunchFile:
         values = [*node.args, *(each.value for each in node.keywords)]
         name = last_name(node.func)
         if name in _CONDITIONS and len(values) == 1:
-            inner = self._definition(values[0])
-            if isinstance(inner, ast.Call) and last_name(inner.func) in _EQUALITIES and len(inner.args) == 2:
-                is_equal = (name == "IfCondition") == (last_name(inner.func) == "EqualsSubstitution")
-                return {"equals" if is_equal else "differs": self._text(inner.args[0]), "to": self._text(inner.args[1])}
             return {_CONDITIONS[name]: self._text(values[0])}
         if name in _COMPARISONS and len(values) == 2:
             variable = self._text(values[0])
@@ -108,15 +117,26 @@ class LaunchFile:
         return unknown
 
     def _call(self, name: str, node: ast.Call, keywords: dict[str, ast.expr]) -> Json:
-        if name in _NODES:
+        if name in _NODES or name == "ComposableNode":
             attributes = {ours: self._text(keywords[theirs]) for theirs, ours in _NAMED.items() if theirs in keywords}
             for theirs, ours in _ARGUMENTS.items():
                 if theirs in keywords:
                     attributes[ours] = self._words(keywords[theirs])
             remaps = self._remaps(keywords.get("remappings"), node)
             values = self._parameters().read(keywords.get("parameters"))
-            element: Json = {"kind": "node", "line": node.lineno, "attributes": attributes, "remaps": remaps}
+            kind = "node" if name in _NODES else "composable_node"
+            element: Json = {"kind": kind, "line": node.lineno, "attributes": attributes, "remaps": remaps}
             return {**element, "parameters": values}
+        if name in ("ComposableNodeContainer", "LoadComposableNodes"):
+            given = keywords.get("composable_node_descriptions", ast.List([]))
+            nodes = [] if isinstance(given, ast.Constant) and given.value is None else self._list(given, node)
+            attributes = {ours: self._text(keywords[theirs]) for theirs, ours in _NAMED.items() if theirs in keywords}
+            kind = "node_container" if name == "ComposableNodeContainer" else "load_composable_node"
+            return {"kind": kind, "line": node.lineno, "attributes": attributes, "children": nodes}
+        if name == "RegisterEventHandler" and (node.args or keywords):
+            return self._event(node.args[0] if node.args else next(iter(keywords.values())), node)
+        if name == "EmitEvent" and "Shutdown" in {last_name(each.func) for each in _calls(node)}:
+            return {"kind": "ignored", "line": node.lineno}
         if name == "IncludeLaunchDescription" and (node.args or keywords):
             source = node.args[0] if node.args else next(iter(keywords.values()))
             inner = source.args[0] if isinstance(source, ast.Call) and source.args else source
@@ -137,6 +157,9 @@ class LaunchFile:
         if name == "SetRemap":
             parts = [*node.args, *(keywords[key] for key in ("src", "dst") if key in keywords)]
             return {"kind": "set_remap", "line": node.lineno, "remaps": [[self._text(each) for each in parts[:2]]]}
+        if name == "SetUseSimTime":
+            value = self._parameters().value(node.args[0]) if node.args else {}
+            return {"kind": "set_parameter", "line": node.lineno, "attributes": {"name": "use_sim_time", **value}}
         if name == "SetParameter":
             parts = [*node.args, *(keywords[key] for key in ("name", "value") if key in keywords)]
             attributes = {"name": self._text(parts[0]) if parts else None}
@@ -161,6 +184,25 @@ class LaunchFile:
         if name in _IGNORED:
             return {"kind": "ignored", "line": node.lineno}
         return _unknown(node, f"what '{name}' launches is not read")
+
+    def _event(self, given: ast.expr, node: ast.Call) -> Json:
+        """Return what an event handler launches: when a process starts, or ends. On a shutdown nothing counts."""
+        handler = self._definition(given)
+        name = last_name(handler.func) if isinstance(handler, ast.Call) else ""
+        if not isinstance(handler, ast.Call) or name not in (*_EVENTS, "OnShutdown"):
+            return _unknown(node, "what 'RegisterEventHandler' launches is not read")
+        keywords = {each.arg or "": each.value for each in handler.keywords}
+        actions = self._definition(keywords.get(_EVENTS.get(name, ""), ast.List([])))
+        is_list = isinstance(actions, (ast.List, ast.Tuple, ast.BinOp))
+        children = self._list(actions, node) if is_list else [self._element(actions)]
+        launching = [each for each in children if each["kind"] != "ignored"]
+        if name == "OnShutdown" or not launching:
+            return {"kind": "ignored", "line": node.lineno}
+        target = keywords.get("target_action") or (handler.args[0] if handler.args else None)
+        process = self._definition(target) if target is not None else None
+        line = str(process.lineno) if isinstance(process, ast.Call) else ""
+        attributes = {"event": "start" if name == "OnProcessStart" else "end", "target": line}
+        return {"kind": "event_handler", "line": node.lineno, "attributes": attributes, "children": launching}
 
     def _function(self, node: ast.Call, keywords: dict[str, ast.expr]) -> Json:
         """Return what a function launches that only returns a list; another one decides when it runs."""
@@ -264,6 +306,10 @@ class LaunchFile:
         name = last_name(node.func)
         if name == "perform" and isinstance(node.func, ast.Attribute):
             return self._text(node.func.value, depth + 1)
+        if name in _DECIDING:
+            values = [*node.args, *(each.value for each in node.keywords)]
+            texts = [_quoted(self._text(each, depth + 1)) for each in values]
+            return _joined([f"$({_DECIDING[name]}", *texts], " ", ")")
         arguments = [*node.args, *(each.value for each in node.keywords if each.arg in _SUBSTITUTED)]
         if name == "join" or name == "PathJoinSubstitution":
             parts = arguments
@@ -325,10 +371,19 @@ def _is_pair(node: ast.expr) -> bool:
     return isinstance(node, (ast.List, ast.Tuple)) and len(node.elts) == 2
 
 
-def _joined(parts: Iterable[str | None], separator: str) -> str | None:
+def _calls(node: ast.AST) -> Iterator[ast.Call]:
+    return (each for each in ast.walk(node) if isinstance(each, ast.Call))
+
+
+def _quoted(text: str | None) -> str | None:
+    """Return a text as a word of a substitution."""
+    return None if text is None else '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def _joined(parts: Iterable[str | None], separator: str, end: str = "") -> str | None:
     texts = list(parts)
     known = [text for text in texts if text is not None]
-    return separator.join(known) if len(known) == len(texts) else None
+    return separator.join(known) + end if len(known) == len(texts) else None
 
 
 def _unknown(place: ast.AST | int, reason: str) -> Json:

@@ -106,17 +106,30 @@ class Workspace:
                 for file, text in package["cpp"].items()
                 if (node := cpp_sources.read(file, text, self._questions)) is not None
             }
+            registered = {
+                name: (file, sources[file.rpartition("/")[2]])
+                for file, text in package["cpp"].items()
+                for name in cpp_sources.plugins(text)
+                if file.rpartition("/")[2] in sources
+            }
+            for name, (file, node) in registered.items():
+                self._cpp_executable(package["name"], name, file, [node])
             for file, text in package["cmake"].items():
+                for name, plugin in cpp_sources.executables_of_plugins(text).items():
+                    if plugin in registered:
+                        self._cpp_executable(package["name"], name, file, [registered[plugin][1]])
                 for name, written in cpp_sources.executables(text).items():
                     found = [
                         node for source, node in sources.items() if source in {w.rpartition("/")[2] for w in written}
                     ]
-                    numbers = []
-                    for node in found:
-                        if node not in self._nodes:
-                            self._nodes.append(node)
-                        numbers.append(self._nodes.index(node))
-                    self._executables.append({**_executable(package["name"], name, file, 1), "nodes": numbers})
+                    self._cpp_executable(package["name"], name, file, found)
+
+    def _cpp_executable(self, package: str, name: str, file: str, nodes: list[Json]) -> None:
+        for node in nodes:
+            if node not in self._nodes:
+                self._nodes.append(node)
+        numbers = [self._nodes.index(node) for node in nodes]
+        self._executables.append({**_executable(package, name, file, 1), "nodes": numbers})
 
 
 def _given(json: Json) -> Given:

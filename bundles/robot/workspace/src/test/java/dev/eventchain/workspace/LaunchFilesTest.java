@@ -6,6 +6,7 @@ import dev.eventchain.sandbox.PythonEnvironment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -113,8 +114,176 @@ class LaunchFilesTest {
         /h {} {}
         /i {} {}
         Is this launched? It is under a condition, and taken as launched.
+        """);
+  }
+
+  @Test
+  void expressionsAreEvaluatedAsFarAsTheyAreOfLiterals() throws IOException {
+    checkPython(
+        """
+            side = LaunchConfiguration("side")
+            on = LaunchConfiguration("on")
+            return LaunchDescription([
+                DeclareLaunchArgument("side", default_value="left"),
+                DeclareLaunchArgument("on", default_value="true"),
+                DeclareLaunchArgument("number", default_value="3"),
+                brake("no", condition=IfCondition(PythonExpression(["'", side, "' == 'right'"]))),
+                brake("in", condition=IfCondition(PythonExpression(["'", side, "' in ['left', 'right']"]))),
+                brake("unless", condition=UnlessCondition(PythonExpression(["not '", side, "'.startswith('l')"]))),
+                brake("both", condition=IfCondition(AndSubstitution(on, NotSubstitution("false")))),
+                brake("either", condition=UnlessCondition(OrSubstitution(on, "false"))),
+                brake(["x", PythonExpression([LaunchConfiguration("number"), " * 2 + 1"])]),
+                brake(IfElseSubstitution(on, if_value="chosen", else_value="other")),
+                brake("named", condition=IfCondition(PythonExpression([on, " == True"]))),
+                brake("called", condition=IfCondition(PythonExpression(["__import__('os').getpid() > 0"]))),
+            ])
+        """
+            .replace("brake(", "Node(package='braking', executable='brake', name="),
+        """
+        /in {} {}
+        /unless {} {}
+        /both {} {}
+        /x7 {} {}
+        /chosen {} {}
+        /named {} {}
+        /called {} {}
+        Is this launched? It is under a condition, and taken as launched.
         Is this launched? It is under a condition, and taken as launched.
         """);
+  }
+
+  @Test
+  void substitutionsInXmlAndYamlDecideAsThoseInPython() throws IOException {
+    write(
+        "part.launch.yaml",
+        """
+        launch:
+        - node: {pkg: braking, exec: brake, name: yaml, if: "$(and $(var on) $(not false))"}
+        - node: {pkg: braking, exec: brake, name: none, if: "$(equals $(var side) right)"}
+        """);
+    check(
+        "<arg name='side' default='left'/><arg name='on' default='True'/>"
+            + "<node pkg='braking' exec='brake' name='one' if=\"$(eval '\\'$(var side)\\' == \\'left\\'')\"/>"
+            + "<node pkg='braking' exec='brake' name='two' if=\"$(eval &quot;'$(var side)' != 'left'&quot;)\"/>"
+            + "<node pkg='braking' exec='brake' name='three' unless='$(not-equals $(var side) left)'/>"
+            + "<node pkg='braking' exec='brake' name='$(if $(var on) four five)'/>"
+            + "<node pkg='braking' exec='brake' name='six' if='$(any false $(var on))'/>"
+            + "<node pkg='braking' exec='brake' name='odd' if='$(and $(var on))'/>"
+            + "<include file='$(dirname)/part.launch.yaml'/>",
+        """
+        /one {} {}
+        /three {} {}
+        /four {} {}
+        /six {} {}
+        /odd {} {}
+        /yaml {} {}
+        Is this launched? It is under a condition, and taken as launched.
+        """);
+  }
+
+  /** What follows on the start of a node that starts is launched; other events may never come. */
+  @Test
+  void eventHandlersLaunchWhatFollows() throws IOException {
+    checkPython(
+        """
+            first = brake("first")
+            never = brake("never", condition=IfCondition("false"))
+            return LaunchDescription([
+                RegisterEventHandler(OnProcessStart(target_action=first, on_start=[LogInfo(msg="up"), brake("second")])),
+                first,
+                never,
+                RegisterEventHandler(event_handler=OnProcessStart(target_action=never, on_start=brake("third"))),
+                RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[brake("fourth")])),
+                RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[EmitEvent(event=Shutdown())])),
+                RegisterEventHandler(OnShutdown(on_shutdown=[LogInfo(msg="down")])),
+                GroupAction([
+                    PushRosNamespace("left"),
+                    RegisterEventHandler(OnProcessStart(target_action=first, on_start=[brake("fifth")])),
+                ]),
+                RegisterEventHandler(OnProcessIO(target_action=first, on_stdout=look)),
+            ])
+        """
+            .replace("brake(", "Node(package='braking', executable='brake', name="),
+        """
+        /second {} {}
+        /first {} {}
+        /third {} {}
+        /fourth {} {}
+        /left/fifth {} {}
+        Which nodes does this launch: what 'RegisterEventHandler' launches is not read?
+        Is this launched? It waits for an event of another process, and is taken as launched.
+        Is this launched? It waits for an event of another process, and is taken as launched.
+        Which arguments, namespace, remappings and parameters do the nodes of this event handler \
+        get? Those where it stands are taken; ROS 2 may take those that are left when the event \
+        comes.
+        """);
+  }
+
+  @Test
+  void nodesInContainersAreRead() throws IOException {
+    write("none.txt", "");
+    source(
+        "CMakeLists.txt",
+        "add_library(parts SHARED src/relay.cpp)\n"
+            + "rclcpp_components_register_node(parts PLUGIN \"parts::Relay\" EXECUTABLE relay)\n");
+    source(
+        "src/relay.cpp",
+        """
+        class Relay : public rclcpp::Node {
+          explicit Relay(const rclcpp::NodeOptions & options) : Node("relay", options) {
+            in_ = create_subscription<std_msgs::msg::Bool>("in", 10, callback);
+            out_ = create_publisher<std_msgs::msg::Bool>("out", 10);
+          }
+        };
+        RCLCPP_COMPONENTS_REGISTER_NODE(parts::Relay)
+        """);
+    write(
+        "part.launch.xml",
+        "<launch><group><push_ros_namespace namespace='xml'/>"
+            + "<node_container pkg='rclcpp_components' exec='component_container' name='box'"
+            + " namespace='not_theirs'><composable_node pkg='braking' plugin='parts::Relay' name='a'>"
+            + "<remap from='in' to='/x'/></composable_node></node_container>"
+            + "<load_composable_node target='/box'><composable_node pkg='braking'"
+            + " plugin='parts::Other' name='b'/></load_composable_node></group>"
+            + "<node pkg='braking' exec='relay' name='alone'/></launch>");
+    write(
+        "all.launch.py",
+        """
+        def generate_launch_description():
+            nodes = [ComposableNode(package="braking", plugin="parts::Relay", name="c", namespace="py")]
+            return LaunchDescription([
+                IncludeLaunchDescription([FindPackageShare("braking"), "/launch/part.launch.xml"]),
+                ComposableNodeContainer(name="box", namespace="", package="rclcpp_components",
+                    executable="component_container_mt", composable_node_descriptions=nodes),
+                LoadComposableNodes(target_container="box", composable_node_descriptions=[
+                    ComposableNode(package="elsewhere", plugin="elsewhere::Thing")]),
+            ])
+        """);
+    FoundSoftware found = Workspace.read(folder, Optional.empty(), PYTHON);
+    assertEquals(
+        "[/xml/a [/x, /xml/out], /alone [/in, /out], /py/c [/py/in, /py/out]]",
+        found.nodes().stream()
+            .map(
+                node ->
+                    node.name()
+                        + " "
+                        + node.endpoints().stream().map(FoundEndpoint::topic).toList())
+            .toList()
+            .toString());
+    assertEquals(
+        List.of(
+            "What does the node 'parts::Other' of braking read and write? Its source was not understood.",
+            "What does the node 'elsewhere::Thing' read and write? The package elsewhere is not in the workspace."),
+        found.questions().stream()
+            .map(OpenQuestion::text)
+            .filter(it -> it.contains("::"))
+            .toList());
+  }
+
+  private void source(String name, String text) throws IOException {
+    Path file = folder.resolve("src/braking").resolve(name);
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, text);
   }
 
   /** Two defaults of one configuration are those of two substitutions. */
