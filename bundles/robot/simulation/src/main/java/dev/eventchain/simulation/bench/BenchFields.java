@@ -3,7 +3,6 @@ package dev.eventchain.simulation.bench;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
@@ -98,7 +97,12 @@ final class BenchFields {
       found = Optional.of(constant(value));
     }
     NamedValues names = FieldNames.of(declared, topic, () -> message, path);
-    found = found.map(it -> FieldNames.numbered(it, names));
+    found =
+        found.map(
+            it ->
+                it instanceof Bench.Constant constant
+                    ? new Bench.Constant(FieldNames.numbered(constant.value(), names))
+                    : it);
     found.ifPresent(it -> declared.check(part, topic, path, it));
     found = found.filter(it -> fits(part, path, it, message, names));
     return found.map(it -> new Field(path, it, part.atKey(path)));
@@ -237,11 +241,9 @@ final class BenchFields {
           throw new IllegalArgumentException(constant.value() + " is out of the range of float32.");
         }
       } catch (IllegalArgumentException e) {
-        String hint = NearestName.hint(String.valueOf(constant.value()), names.names());
         Diagnostic finding =
             Diagnostic.of(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), part.at(path));
-        boolean isName = constant.value() instanceof String && !names.isEmpty();
-        part.find(isName ? finding.withHint(hint) : finding);
+        part.find(FieldNames.hinted(finding, constant.value(), names));
         return false;
       }
     }

@@ -1,11 +1,14 @@
 package dev.eventchain.simulation.bench;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.messages.FieldConstants;
 import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.model.Signal.Values;
 import dev.eventchain.simulation.formula.NamedValues;
+import dev.eventchain.simulation.sensor.Listed;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -54,23 +57,36 @@ final class FieldNames {
     return names.isEmpty() ? constants(message.get(), path) : NamedValues.ofNumbers(names);
   }
 
-  /** Returns a constant that is the name of one number as that number, and others as they are. */
-  static Bench.Source numbered(Bench.Source source, NamedValues names) {
-    if (names.isText() || !(source instanceof Bench.Constant constant)) {
-      return source;
+  /** Returns the names of a field of the messages in a list: constants of these. */
+  static NamedValues ofListed(Optional<MessageType> message, String path) {
+    Listed listed = Listed.of(path);
+    return constants(message.flatMap(listed::messages), listed.inner());
+  }
+
+  /** Returns a value that is the name of one number as that number, and others as they are. */
+  static Object numbered(Object value, NamedValues names) {
+    if (names.isText()) {
+      return value;
     }
     List<Double> numbers =
         names.values().stream()
-            .filter(it -> it.name().equals(constant.value()))
+            .filter(it -> it.name().equals(value))
             .map(NamedValues.Value::number)
             .distinct()
             .toList();
     if (numbers.size() != 1) {
-      return source;
+      return value;
     }
     double number = numbers.get(0);
     boolean isWhole = number == Math.rint(number) && Math.abs(number) < 1L << 53;
-    return new Bench.Constant(isWhole ? (Object) (long) number : (Object) number);
+    return isWhole ? (Object) (long) number : (Object) number;
+  }
+
+  /** Adds the nearest name to a finding about a value that is no name. */
+  static Diagnostic hinted(Diagnostic finding, Object value, NamedValues names) {
+    return value instanceof String text && !names.isEmpty()
+        ? finding.withHint(NearestName.hint(text, names.names()))
+        : finding;
   }
 
   /** Returns the constants of a message that name values of a field. */

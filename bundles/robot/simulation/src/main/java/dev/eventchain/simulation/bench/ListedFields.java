@@ -99,7 +99,8 @@ final class ListedFields {
       }
       return true;
     } catch (IllegalArgumentException e) {
-      part.find(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), where);
+      Diagnostic finding = Diagnostic.of(BenchRules.BENCH_VALUE_TYPE, e.getMessage(), where);
+      part.find(FieldNames.hinted(finding, value, FieldNames.ofListed(message, path)));
       return false;
     }
   }

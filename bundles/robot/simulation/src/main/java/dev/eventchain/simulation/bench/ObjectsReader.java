@@ -33,6 +33,7 @@ final class ObjectsReader {
 
   private final DeclaredSignals declared;
   private final String topic;
+  private final Optional<MessageType> message;
   private final ListedFields listed;
   private final List<Column> columns = new ArrayList<>();
   private final List<Constant> constants = new ArrayList<>();
@@ -45,6 +46,7 @@ final class ObjectsReader {
   ObjectsReader(DeclaredSignals declared, String topic, Optional<MessageType> message) {
     this.declared = declared;
     this.topic = topic;
+    this.message = message;
     this.listed = new ListedFields(message);
   }
 
@@ -89,7 +91,11 @@ final class ObjectsReader {
   }
 
   private void constant(ObjectReader part, ObjectReader section, String path) {
-    Optional<Object> value = section.value(CONSTANT).map(BenchFields::plain);
+    Optional<Object> value = 
+        section
+            .value(CONSTANT)
+            .map(BenchFields::plain)
+            .map(it -> FieldNames.numbered(it, FieldNames.ofListed(message, path)));
     if (value.isEmpty()) {
       section.find(BenchRules.BENCH_VALUE_RANGE, BenchFields.NO_VALUE, section.at(CONSTANT));
     } else if (!Listed.of(path).ofMessages()) {
@@ -110,7 +116,10 @@ final class ObjectsReader {
     Optional<String> unit = section.text("unit");
     double noise = section.number("noise", NOISE).orElse(0);
     Map<ActorKind, Integer> classes =
-        section.object("classes").map(ClassNumbers::read).orElse(Map.of());
+        section
+            .object("classes")
+            .map(it -> ClassNumbers.read(it, FieldNames.ofListed(message, path)))
+            .orElse(Map.of());
     property.ifPresent(it -> column(part, path, it, unit, noise, classes));
   }
 
