@@ -114,4 +114,19 @@ class FormulaNamesTest {
             || hover.orElseThrow().markdown().contains("`EMPTY`, `OCCUPIED`"),
         () -> hover.orElseThrow().markdown());
   }
+
+  /** A catalogue has more topics than anybody reads: they are proposed step by step. */
+  @ParameterizedTest
+  @CsvSource({
+    "/v^, /vss/",
+    "/vss/Vehicle/Cabin/Se^, /vss/Vehicle/Cabin/Seat/",
+    "/vss/Vehicle/Sp^, /vss/Vehicle/Speed.data"
+  })
+  void manyTopicsAreProposedByTheirNextStep(String begun, String expected) {
+    String marked = "accept:\n  formulas:\n    - formula: always " + begun + "\n";
+    List<String> found =
+        analysis(marked).completions(cursor(marked)).stream().map(Completion::label).toList();
+    assertTrue(found.contains(expected), found.toString());
+    assertTrue(found.size() < 200, found.size() + " proposals");
+  }
 }

@@ -335,7 +335,7 @@ class YamlCompletionTest {
       value = {
         "faults.yaml | faults:\\n  - scenario: stopped-veh^icle-50 | Stopped vehicle, 50 km/h | scenarios/stopped-vehicle-50.yaml | name: stopped-vehicle-50",
         "faults.yaml | faults:\\n  - kill: Brake_^Request | Brakes with 9 m/s2 below | software-base/components.json | \"name\": \"Brake_Request\",",
-        "faults.yaml | faults:\\n  - drop: {topic: /radar/tar^get} | demo_msgs/msg/RadarTarget | |",
+        "faults.yaml | faults:\\n  - drop: {topic: /radar/tar^get} | `demo_msgs/msg/RadarTarget`, provided by the vehicle | software-base/signals.json | \"Topic Name\": \"/radar/target\",",
         "scenarios/new.yaml | phases_ms:\\n  Brake_^Request: 3 | Brakes with 9 m/s2 below | software-base/components.json | \"name\": \"Brake_Request\",",
         "faults.yaml | faults:\\n  - kill: Nob^ody | | |",
       })

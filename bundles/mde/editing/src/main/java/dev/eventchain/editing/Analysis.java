@@ -13,6 +13,13 @@ public interface Analysis {
   /** Returns the named parts, in the order of the text, for an outline. */
   List<Symbol> symbols();
 
+  /**
+   * Returns the named parts that other files may name or look for; the whole outline by default.
+   */
+  default List<Symbol> workspaceSymbols() {
+    return symbols();
+  }
+
   /** Returns what can be folded, in the order of the text. */
   List<Folding> foldings();
 

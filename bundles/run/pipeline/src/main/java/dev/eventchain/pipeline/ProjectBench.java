@@ -10,14 +10,18 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.bench.WorldReference;
 import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.xmi.LoadedModel;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * The simulated world's inputs and outputs, and their connections with a project.
@@ -26,6 +30,9 @@ import java.util.Optional;
  * @param diagnostics the findings about missing connections; none while there is no chain
  */
 public record ProjectBench(String text, List<Diagnostic> diagnostics) {
+
+  /** A word of an operator as it is written; operands are single letters. */
+  private static final Pattern OPERATOR = Pattern.compile("\\b[a-z]{2,}\\b");
 
   /** Copies the list. */
   public ProjectBench {
@@ -92,5 +99,30 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
   /** Returns the JSON Schema of files with faults. */
   public static String faultsSchema() {
     return FaultPlan.schema();
+  }
+
+  /**
+   * A word of formulas.
+   *
+   * @param isOperator true for an operator or a function, false for a quantity of the world
+   * @param about what it means, in Markdown
+   */
+  public record FormulaWord(boolean isOperator, String about) {}
+
+  /** Returns the words of formulas that no project declares: operators and quantities. */
+  public static Map<String, FormulaWord> formulaWords() {
+    Map<String, FormulaWord> words = new LinkedHashMap<>();
+    for (WorldReference.OperatorEntry each : WorldReference.operators()) {
+      String about = "`" + each.written() + "`: " + each.meaning();
+      Matcher word = OPERATOR.matcher(each.written());
+      while (word.find()) {
+        words.putIfAbsent(word.group(), new FormulaWord(true, about));
+      }
+    }
+    for (WorldReference.Entry each : WorldReference.quantities()) {
+      String unit = each.unit().isEmpty() ? "true or false" : "in " + each.unit();
+      words.put(each.name(), new FormulaWord(false, unit + ": " + each.meaning()));
+    }
+    return words;
   }
 }

@@ -40,6 +40,11 @@ record MarkedAnalysis(Analysis analysis) implements Analysis {
     return analysis.symbols().stream().map(MarkedAnalysis::shown).toList();
   }
 
+  @Override
+  public List<Symbol> workspaceSymbols() {
+    return analysis.workspaceSymbols().stream().map(MarkedAnalysis::shown).toList();
+  }
+
   private static Symbol shown(Symbol symbol) {
     return new Symbol(
         symbol.name(),

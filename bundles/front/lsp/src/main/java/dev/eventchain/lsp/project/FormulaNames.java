@@ -4,7 +4,13 @@ import dev.eventchain.editing.Completion;
 import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.Hover;
 import dev.eventchain.editing.TextLines;
+import dev.eventchain.editing.TextRange;
+import dev.eventchain.pipeline.ProjectBench;
+import dev.eventchain.pipeline.ProjectBench.FormulaWord;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -18,18 +24,55 @@ final class FormulaNames {
           FIELD + "\\s*[=!]=\\s*(?<quote>['\"]?)(?<begun>(?<=['\"])[^'\"=]*|[^'\"=\\s]*)$");
   private static final Pattern READ = Pattern.compile(FIELD);
 
+  /** An operator or a quantity of the world. */
+  private static final Pattern WORD =
+      Pattern.compile("(?<![\\w.])[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*");
+
+  /** What stands before the words of a formula on its line, in scenarios and campaigns. */
+  private static final Pattern FORMULA = Pattern.compile("[^#]*\\bformula: .*");
+
+  /** The keys around a formula of a bench: a field that is sent, or an input. */
+  private static final Pattern SOURCE =
+      Pattern.compile(
+          "provides\n[^\n]*\nfields\n[^\n]*(\nvalue)?|inputs\n[^\n]*(\n(formula|value))?");
+
+  /** Most fields that are proposed at once. */
+  private static final int MOST = 200;
+
+  private static final Pattern BEGUN = Pattern.compile("(?<![\\w/.'\"])(?:[A-Za-z_/][\\w/.]*)?$");
+
+  static final Map<String, FormulaWord> WORDS = ProjectBench.formulaWords();
+
   private final ProjectFiles project;
   private final String text;
   private final TextLines lines;
+  private final boolean isBench;
 
-  FormulaNames(ProjectFiles project, String text) {
+  /**
+   * Creates the names of a text.
+   *
+   * @param isBench true if inputs and the sources of fields are formulas
+   */
+  FormulaNames(ProjectFiles project, String text, boolean isBench) {
     this.project = project;
     this.text = text;
+    this.isBench = isBench;
     this.lines = new TextLines(text);
   }
 
+  private boolean isFormula(int offset) {
+    return isBench
+        ? new YamlText(text).place(offset).filter(FormulaNames::isSource).isPresent()
+        : FORMULA.matcher(text.substring(begin(offset), offset)).matches();
+  }
+
+  private static boolean isSource(YamlPlace place) {
+    String path = String.join("\n", place.path());
+    return place.takesValue() && SOURCE.matcher(path).matches();
+  }
+
   /** Returns the names with which the signal before an offset can be compared. */
-  List<Completion> at(int offset) {
+  List<Completion> compared(int offset) {
     Matcher compared = COMPARED.matcher(text.substring(begin(offset), offset));
     if (!compared.find()) {
       return List.of();
@@ -51,24 +94,101 @@ final class FormulaNames {
         .toList();
   }
 
+  /** Returns the signals, quantities and operators of a formula. */
+  List<Completion> words(int offset) {
+    Matcher begun = BEGUN.matcher(text.substring(begin(offset), offset));
+    if (!begun.find() || !isFormula(begin(offset) + begun.start())) {
+      return List.of();
+    }
+    TextRange replaced = lines.range(begin(offset) + begun.start(), offset);
+    List<Completion> found = new ArrayList<>();
+    WORDS.forEach(
+        (name, word) ->
+            found.add(
+                new Completion(
+                    name,
+                    word.isOperator() ? ElementKind.KEYWORD : ElementKind.VARIABLE,
+                    "",
+                    word.about(),
+                    name,
+                    false,
+                    replaced)));
+    if (!isBench) {
+      fields(begun.group())
+          .forEach(
+              (name, about) ->
+                  found.add(
+                      new Completion(
+                          name, ElementKind.REFERENCE, "", about, name, false, replaced)));
+    }
+    return found;
+  }
+
+  /** Returns the fields of topics; of many, the next steps of those that begin as a word. */
+  private Map<String, String> fields(String begun) {
+    Map<String, String> all = project.fields();
+    if (all.size() <= MOST) {
+      return all;
+    }
+    String parent = begun.substring(0, begun.lastIndexOf('/') + 1);
+    Map<String, String> steps = new LinkedHashMap<>();
+    all.forEach(
+        (name, about) -> {
+          int next = name.indexOf('/', Math.max(1, parent.length()));
+          if (name.startsWith(parent)) {
+            steps.putIfAbsent(next < 0 ? name : name.substring(0, next + 1), next < 0 ? about : "");
+          }
+        });
+    return steps;
+  }
+
   private static String quoted(String name) {
     return name.contains("'") ? '"' + name + '"' : "'" + name + "'";
   }
 
-  /** Returns the names of the signal's values at an offset; empty if it has none. */
+  /** Returns what is known of the signal or the word at an offset of a formula. */
   Optional<Hover> described(int offset) {
-    int begin = begin(offset);
+    return signal(offset)
+        .flatMap(this::described)
+        .or(() -> named(WORD, offset).flatMap(this::word));
+  }
+
+  /** Returns the topic of the signal at an offset. */
+  Optional<String> topic(int offset) {
+    return signal(offset).map(each -> each.group("topic"));
+  }
+
+  private Optional<Matcher> signal(int offset) {
+    return named(READ, offset);
+  }
+
+  private Optional<Hover> described(Matcher signal) {
+    String topic = signal.group("topic");
+    String path = signal.group("path");
+    List<String> names = project.valueNames(topic, path);
+    String about =
+        project.fields().getOrDefault(topic + "." + path, "")
+            + (names.isEmpty()
+                ? ""
+                : "\n\nIts values have names: `" + String.join("`, `", names) + "`.");
+    return about.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new Hover(about.strip(), lines.range(signal.start(), signal.end())));
+  }
+
+  /** Returns the meaning of an operator or a quantity, behind the key of a formula. */
+  private Optional<Hover> word(Matcher word) {
+    return Optional.ofNullable(WORDS.get(word.group()))
+        .filter(it -> isFormula(word.start()))
+        .map(it -> new Hover(it.about(), lines.range(word.start(), word.end())));
+  }
+
+  private Optional<Matcher> named(Pattern pattern, int offset) {
     int end = text.indexOf('\n', offset);
-    Matcher read = READ.matcher(text).region(begin, end < 0 ? text.length() : end);
-    while (read.find()) {
-      if (read.start() <= offset && offset <= read.end()) {
-        List<String> names = project.valueNames(read.group("topic"), read.group("path"));
-        return names.isEmpty()
-            ? Optional.empty()
-            : Optional.of(
-                new Hover(
-                    "Its values have names: `" + String.join("`, `", names) + "`.",
-                    lines.range(read.start(), read.end())));
+    Matcher found = pattern.matcher(text).region(begin(offset), end < 0 ? text.length() : end);
+    while (found.find()) {
+      if (found.start() <= offset && offset <= found.end()) {
+        return Optional.of(found);
       }
     }
     return Optional.empty();

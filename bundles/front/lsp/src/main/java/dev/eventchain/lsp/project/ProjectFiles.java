@@ -7,9 +7,12 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.diagnostics.UnsavedTexts;
 import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.TextLines;
+import dev.eventchain.editing.TextPosition;
+import dev.eventchain.editing.TextRange;
 import dev.eventchain.editing.Workspace;
 import dev.eventchain.lsp.text.OpenTexts;
 import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.Signal;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
@@ -72,17 +75,26 @@ final class ProjectFiles {
     return found;
   }
 
-  /** Returns the topics of the software base and of the chain, with their message types. */
+  /** Returns the topics of the software base and of the chain, with what is known of them. */
   Map<String, String> topics() {
     Map<String, String> found = new TreeMap<>();
-    base()
-        .flatMap(SoftwareBase::signals)
-        .ifPresent(all -> all.forEach(each -> found.put(each.topic(), each.messageType())));
+    signals().forEach(each -> found.put(each.topic(), SignalTexts.about(each)));
     chain()
         .ifPresent(
             chain ->
                 TopicIndex.of(chain).topics().forEach(each -> found.putIfAbsent(each.name(), "")));
     return found;
+  }
+
+  /** Returns the fields of topics as formulas name them, with what is known of them. */
+  Map<String, String> fields() {
+    Map<String, String> found = new TreeMap<>();
+    signals().forEach(each -> found.putAll(SignalTexts.fields(each)));
+    return found;
+  }
+
+  private List<Signal> signals() {
+    return base().flatMap(SoftwareBase::signals).orElse(List.of());
   }
 
   /** Returns the names of the values of a topic's field; none if it has none. */
@@ -193,10 +205,18 @@ final class ProjectFiles {
   }
 
   /**
-   * Returns where a scenario or a component has its name: in its file, in the description of the
-   * software base, or else in the chain.
+   * Returns where a scenario, a component or a topic has its name: in its file, in the description
+   * of the software base, or else in the chain.
    */
   Optional<FileRange> declaration(String name) {
+    return signals().stream()
+        .filter(each -> each.topic().equals(name))
+        .findFirst()
+        .flatMap(each -> place(name, each.location()))
+        .or(() -> uses(name, declaring()).stream().filter(this::isDeclared).findFirst());
+  }
+
+  private List<Path> declaring() {
     Path scenarios = folder.folder().resolve(ProjectLayout.SCENARIOS);
     List<Path> files =
         new ArrayList<>(files().stream().filter(each -> each.startsWith(scenarios)).toList());
@@ -204,7 +224,21 @@ final class ProjectFiles {
         .flatMap(Optional::stream)
         .filter(Files::isRegularFile)
         .forEach(files::add);
-    return uses(name, files).stream().filter(this::isDeclared).findFirst();
+    return files;
+  }
+
+  /** Returns where a signal has its name, or else where its description begins. */
+  private Optional<FileRange> place(String name, SourceLocation location) {
+    if (location.file().isEmpty() || !Files.isRegularFile(Path.of(location.file()))) {
+      return Optional.empty();
+    }
+    Path file = Path.of(location.file());
+    int line = Math.max(0, location.line() - 1);
+    TextPosition start = new TextPosition(line, Math.max(0, location.column() - 1));
+    return uses(name, List.of(file)).stream()
+        .filter(each -> each.range().start().line() >= line)
+        .findFirst()
+        .or(() -> Optional.of(new FileRange(file, TextRange.at(start))));
   }
 
   /** Returns whether a name stands behind the key or the attribute of names. */
@@ -212,7 +246,7 @@ final class ProjectFiles {
     String text = workspace.text(use.file()).map(SourceText::text).orElse("");
     String before = text.substring(0, new TextLines(text).offset(use.range().start()));
     String line = before.substring(before.lastIndexOf('\n') + 1);
-    return line.matches("(.*[\\s{,])?(name: *[\"']?|\"name\" *: *\"|name=\")");
+    return line.matches("(.*[\\s{,])?(name: *[\"']?|\"(name|topic)\" *: *\"|name=\"|topicName=\")");
   }
 
   /** Returns all places at which the project names something, in the order of the files. */
@@ -221,8 +255,9 @@ final class ProjectFiles {
   }
 
   private List<FileRange> uses(String id, List<Path> files) {
-    // An id may go on after a dot, unlike a sentence that ends with one.
-    Pattern word = Pattern.compile("(?<![\\w-]|\\w\\.)" + Pattern.quote(id) + "(?![\\w-]|\\.\\w)");
+    // An id may go on after a dot, unlike a sentence that ends with one; a topic has fields there.
+    String after = id.startsWith("/") ? "(?![\\w/-])" : "(?![\\w-]|\\.\\w)";
+    Pattern word = Pattern.compile("(?<![\\w-]|\\w\\.)" + Pattern.quote(id) + after);
     List<FileRange> found = new ArrayList<>();
     for (Path file : files) {
       Optional<String> text = workspace.text(file).map(SourceText::text);

@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** Language service for the YAML, JSON and Markdown of a project. */
+/** Language service for the YAML, JSON, Markdown and models of a project. */
 public final class ProjectLanguageService implements LanguageService {
 
   private final Workspace workspace;
@@ -25,7 +25,7 @@ public final class ProjectLanguageService implements LanguageService {
 
   @Override
   public boolean handles(Path file) {
-    return file.toString().matches(".*\\.(ya?ml|md|json)");
+    return file.toString().matches(".*\\.(ya?ml|md|json|xmi|eventchain)");
   }
 
   @Override

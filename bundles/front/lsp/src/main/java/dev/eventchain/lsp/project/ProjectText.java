@@ -21,10 +21,17 @@ import dev.eventchain.editing.TextRange;
 import dev.eventchain.model.WrittenRequirement;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A text of a project: its outline by keys or requirements, and what is known of the requirements
@@ -34,9 +41,19 @@ final class ProjectText implements Analysis {
 
   private static final Pattern ID = Pattern.compile("[A-Za-z0-9][\\w.-]*");
 
-  /** A key of YAML, or an item of a list that has one. */
-  private static final Pattern KEY =
-      Pattern.compile("^((?:- )?)([A-Za-z_][\\w.-]*):", Pattern.MULTILINE);
+  /** The kinds of files that have formulas. */
+  private static final Set<ProjectSchemas.Kind> FORMULAS =
+      EnumSet.of(
+          ProjectSchemas.Kind.SCENARIO, ProjectSchemas.Kind.CAMPAIGN, ProjectSchemas.Kind.BENCH);
+
+  /** The end of a requirement in Markdown. */
+  private static final Pattern NEXT_ITEM = Pattern.compile("\\R(?=\\s*(?:\\R|$|[-*#|]))");
+
+  /** The endings of the files whose names stand in quotation marks. */
+  private static final Set<String> QUOTING = Set.of("json", "xmi", "eventchain");
+
+  /** A text in quotation marks, on one line. */
+  private static final Pattern QUOTED = Pattern.compile("\"([^\"\\n]+)\"");
 
   /** A line in which ids of requirements are expected. */
   private static final Pattern NAMING =
@@ -58,7 +75,38 @@ final class ProjectText implements Analysis {
 
   @Override
   public List<Symbol> symbols() {
-    return file.toString().endsWith(".md") ? requirementSymbols() : keySymbols();
+    return switch (ending()) {
+      case "md" -> requirementSymbols();
+      case "json" -> JsonOutline.of(text, lines);
+      case "xmi", "eventchain" -> XmlOutline.of(text, lines);
+      default -> YamlOutline.of(text, lines);
+    };
+  }
+
+  private String ending() {
+    String name = file.getFileName().toString();
+    return name.substring(name.lastIndexOf('.') + 1);
+  }
+
+  /** Returns the requirements, scenarios, components and topics that a text declares. */
+  @Override
+  public List<Symbol> workspaceSymbols() {
+    List<Symbol> all = symbols();
+    return switch (ending()) {
+      case "md" -> all;
+      case "json", "xmi", "eventchain" ->
+          all.stream()
+              .flatMap(each -> Stream.concat(Stream.of(each), each.children().stream()))
+              .filter(each -> each.kind() == ElementKind.CLASS)
+              .toList();
+      default -> all.stream().filter(each -> each.name().equals("name")).map(this::named).toList();
+    };
+  }
+
+  /** Returns a scenario by its name. */
+  private Symbol named(Symbol key) {
+    String name = key.detail().isBlank() ? key.name() : key.detail();
+    return new Symbol(name, "", ElementKind.MODULE, key.range(), key.nameRange(), List.of());
   }
 
   private List<Symbol> requirementSymbols() {
@@ -74,43 +122,23 @@ final class ProjectText implements Analysis {
                           each.id(),
                           each.text(),
                           ElementKind.INVARIANT,
-                          place.range(),
+                          new TextRange(place.range().start(), endOfItem(place.range().end())),
                           place.range(),
                           List.of())));
     }
     return symbols;
   }
 
-  /** Returns the keys at the left margin, each with the text up to the next one. */
-  private List<Symbol> keySymbols() {
-    List<int[]> keys = new ArrayList<>();
-    Matcher matcher = KEY.matcher(text);
-    while (matcher.find()) {
-      keys.add(new int[] {matcher.start(2), matcher.end(2)});
-    }
-    List<Symbol> symbols = new ArrayList<>();
-    for (int i = 0; i < keys.size(); i++) {
-      int end = i + 1 < keys.size() ? lastOf(keys.get(i + 1)[0]) : text.length();
-      TextRange name = lines.range(keys.get(i)[0], keys.get(i)[1]);
-      TextRange whole = lines.range(keys.get(i)[0], Math.max(keys.get(i)[1], end));
-      String key = text.substring(keys.get(i)[0], keys.get(i)[1]);
-      symbols.add(new Symbol(key, "", ElementKind.ATTRIBUTE, whole, name, List.of()));
-    }
-    return symbols;
-  }
-
-  /** Returns the end of the line before the one at an offset. */
-  private int lastOf(int next) {
-    return Math.max(0, text.lastIndexOf('\n', Math.max(0, next - 1)));
+  /** Returns the end of the lines of a requirement, up to a blank one or one that begins anew. */
+  private TextPosition endOfItem(TextPosition id) {
+    Matcher after = NEXT_ITEM.matcher(text);
+    int end = after.find(lines.offset(id)) ? after.start() : text.length();
+    return lines.position(end);
   }
 
   @Override
   public List<Folding> foldings() {
-    return keySymbols().stream()
-        .map(Symbol::range)
-        .filter(range -> range.end().line() > range.start().line())
-        .map(range -> new Folding(range.start().line(), range.end().line(), Folding.Kind.BLOCK))
-        .toList();
+    return Outline.foldings(symbols());
   }
 
   /** A name at a position, and the requirement that has it. */
@@ -136,12 +164,16 @@ final class ProjectText implements Analysis {
   @Override
   public List<Completion> completions(TextPosition position) {
     int offset = lines.offset(position);
-    List<Completion> names = formulas().map(each -> each.at(offset)).orElse(List.of());
-    if (!names.isEmpty()) {
-      return names;
-    }
-    List<Completion> found = yaml().map(each -> each.at(offset)).orElse(List.of());
-    return found.isEmpty() ? requirements(offset) : found;
+    Optional<FormulaNames> formulas = formulas();
+    return Stream.<Supplier<List<Completion>>>of(
+            () -> formulas.map(each -> each.compared(offset)).orElse(List.of()),
+            () -> yaml().map(each -> each.at(offset)).orElse(List.of()),
+            () -> formulas.map(each -> each.words(offset)).orElse(List.of()),
+            () -> ending().matches("xmi|eventchain") ? List.of() : requirements(offset))
+        .map(Supplier::get)
+        .filter(found -> !found.isEmpty())
+        .findFirst()
+        .orElse(List.of());
   }
 
   private Optional<YamlCompletion> yaml() {
@@ -152,13 +184,12 @@ final class ProjectText implements Analysis {
                 new YamlCompletion(kind, schemas.of(kind), new ProjectNames(project, file), text));
   }
 
-  /** Returns what is known of names in formulas, which scenarios and campaigns have. */
+  /** Returns what is known of names in formulas. */
   private Optional<FormulaNames> formulas() {
     return project
         .kind(file, text)
-        .filter(
-            kind -> kind == ProjectSchemas.Kind.SCENARIO || kind == ProjectSchemas.Kind.CAMPAIGN)
-        .map(kind -> new FormulaNames(project, text));
+        .filter(FORMULAS::contains)
+        .map(kind -> new FormulaNames(project, text, kind == ProjectSchemas.Kind.BENCH));
   }
 
   /** Proposes requirements where the words of a line ask for some. */
@@ -189,7 +220,8 @@ final class ProjectText implements Analysis {
     return named(position)
         .map(named -> new Hover(description(named.requirement()), named.range()))
         .or(() -> formulas().flatMap(each -> each.described(lines.offset(position))))
-        .or(() -> yaml().flatMap(each -> each.described(lines.offset(position))));
+        .or(() -> yaml().flatMap(each -> each.described(lines.offset(position))))
+        .or(() -> describedName(lines.offset(position)));
   }
 
   /** Returns the text of a requirement, and the files that name it. */
@@ -219,14 +251,55 @@ final class ProjectText implements Analysis {
 
   /** Returns the name of a component, topic or scenario at a position. */
   private Optional<String> name(TextPosition position) {
-    return yaml().flatMap(each -> each.name(lines.offset(position)));
+    int offset = lines.offset(position);
+    return yaml()
+        .flatMap(each -> each.name(offset))
+        .or(() -> formulas().flatMap(each -> each.topic(offset)))
+        .or(() -> quoted(offset).map(each -> each.group(1)).filter(about()::containsKey));
+  }
+
+  /** Returns the text in quotation marks around an offset, in JSON and XMI. */
+  private Optional<Matcher> quoted(int offset) {
+    if (!QUOTING.contains(ending())) {
+      return Optional.empty();
+    }
+    Matcher quoted = QUOTED.matcher(text);
+    int line = text.lastIndexOf('\n', Math.max(0, offset - 1)) + 1;
+    for (boolean found = quoted.find(line);
+        found && quoted.start() <= offset;
+        found = quoted.find()) {
+      if (offset <= quoted.end()) {
+        return Optional.of(quoted);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Returns the components and topics, with what is known of them. */
+  private Map<String, String> about() {
+    Map<String, String> all = new TreeMap<>(project.components());
+    all.putAll(project.topics());
+    return all;
+  }
+
+  private Optional<Hover> describedName(int offset) {
+    return quoted(offset)
+        .flatMap(
+            each ->
+                Optional.ofNullable(about().get(each.group(1)))
+                    .filter(about -> !about.isEmpty())
+                    .map(about -> new Hover(about, lines.range(each.start(1), each.end(1)))));
   }
 
   @Override
   public List<FileRange> references(TextPosition position, boolean declaration) {
     Optional<Named> named = named(position);
-    Optional<FileRange> declared = named.flatMap(each -> project.place(each.requirement()));
-    return named.map(each -> project.uses(each.requirement().id())).orElse(List.of()).stream()
+    Optional<String> name = named.map(each -> each.requirement().id()).or(() -> name(position));
+    Optional<FileRange> declared =
+        named.isPresent()
+            ? project.place(named.get().requirement())
+            : name.flatMap(project::declaration);
+    return name.map(project::uses).orElse(List.of()).stream()
         .filter(each -> declaration || !declared.equals(Optional.of(each)))
         .toList();
   }
@@ -262,7 +335,12 @@ final class ProjectText implements Analysis {
 
   @Override
   public List<SemanticToken> tokens() {
-    return List.of();
+    if (!file.toString().matches(".*\\.ya?ml")) {
+      return List.of();
+    }
+    Set<String> ids =
+        project.requirements().stream().map(WrittenRequirement::id).collect(Collectors.toSet());
+    return new YamlTokens(project.kind(file, text), ids, FormulaNames.WORDS).of(text);
   }
 
   @Override
@@ -283,7 +361,7 @@ final class ProjectText implements Analysis {
 
   @Override
   public List<TextRange> selectionRanges(TextPosition position) {
-    return List.of();
+    return Outline.selection(symbols(), position);
   }
 
   @Override

@@ -139,7 +139,7 @@ final class WorkspaceRequests implements WorkspaceService, AutoCloseable {
                             languages
                                 .of(file)
                                 .flatMap(service -> service.analysis(file))
-                                .map(analysis -> named(analysis.symbols(), wanted, file))
+                                .map(analysis -> named(analysis.workspaceSymbols(), wanted, file))
                                 .orElse(Stream.of()))
                     .limit(MOST_SYMBOLS)
                     .toList()));

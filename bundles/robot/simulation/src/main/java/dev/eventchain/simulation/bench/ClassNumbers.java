@@ -40,8 +40,7 @@ final class ClassNumbers {
       Optional<ActorKind> kind =
           Arrays.stream(ActorKind.values()).filter(each -> each.id().equals(name)).findFirst();
       if (kind.isPresent()) {
-        number(section, name, names)
-            .ifPresent(number -> numbers.put(kind.get(), (int) number));
+        number(section, name, names).ifPresent(number -> numbers.put(kind.get(), (int) number));
       } else if (!name.equals(OTHER)) {
         section.value(name);
         section.find(

@@ -91,7 +91,7 @@ final class ObjectsReader {
   }
 
   private void constant(ObjectReader part, ObjectReader section, String path) {
-    Optional<Object> value = 
+    Optional<Object> value =
         section
             .value(CONSTANT)
             .map(BenchFields::plain)
