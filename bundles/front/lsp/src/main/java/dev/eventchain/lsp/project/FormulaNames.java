@@ -28,7 +28,7 @@ final class FormulaNames {
   private static final Pattern WORD =
       Pattern.compile("(?<![\\w.])[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*");
 
-  /** What stands before the words of a formula on its line, in scenarios and campaigns. */
+  /** Text before the words of a formula on its line, in scenarios and campaigns. */
   private static final Pattern FORMULA = Pattern.compile("[^#]*\\bformula: .*");
 
   /** The keys around a formula of a bench: a field that is sent, or an input. */
