@@ -3,7 +3,6 @@ package dev.eventchain.catalogue.arxml;
 import dev.eventchain.catalogue.arxml.ArxmlLimits.NoNumberException;
 import dev.eventchain.catalogue.network.NetworkSignal;
 import dev.eventchain.catalogue.network.NetworkSignal.Coding;
-import dev.eventchain.catalogue.signal.CatalogueUnits;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -247,8 +246,9 @@ final class ArxmlSignals {
     List<String> stated = new ArrayList<>();
     for (Optional<ArxmlElement> each :
         List.of(properties.physical(), properties.network(), method(properties))) {
-      Optional<String> unit = each.isEmpty() ? Optional.empty() : units.of(each.get());
-      unit.filter(it -> !CatalogueUnits.isNone(it)).ifPresent(stated::add);
+      if (each.isPresent()) {
+        units.of(each.get()).ifPresent(stated::add);
+      }
     }
     if (new HashSet<>(stated).size() > 1) {
       unread.note(ArxmlUnread.Kind.UNITS, properties.name(), properties.all().get(0).location());

@@ -1,6 +1,7 @@
 package dev.eventchain.catalogue.arxml;
 
 import dev.eventchain.catalogue.arxml.ArxmlLimits.NoNumberException;
+import dev.eventchain.catalogue.signal.CatalogueUnits;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
@@ -48,10 +49,15 @@ final class ArxmlUnits {
     this.unread = unread;
   }
 
-  /** Returns the text of the unit to which the first reference leads; empty without one. */
+  /**
+   * Returns the text of the unit to which the first reference leads; empty without one, and for one
+   * that stands for none.
+   */
   Optional<String> of(ArxmlElement properties) throws NoNumberException {
     Optional<ArxmlElement> unit = tree.follow(properties, Set.of("UNIT"), "UNIT-REF");
-    return unit.isEmpty() ? Optional.empty() : Optional.of(text(unit.get()));
+    return unit.isEmpty()
+        ? Optional.empty()
+        : Optional.of(text(unit.get())).filter(it -> !CatalogueUnits.isNone(it));
   }
 
   private String text(ArxmlElement unit) throws NoNumberException {
