@@ -25,7 +25,7 @@ record ArxmlScaling(
   static final ArxmlScaling PLAIN =
       new ArxmlScaling(BigDecimal.ONE, BigDecimal.ZERO, ArxmlLimits.NONE, Map.of());
 
-  private static final int MOST_NUMBERS_OF_A_TEXT = 256;
+  private static final BigDecimal MOST_NUMBERS_OF_A_TEXT = BigDecimal.valueOf(256);
 
   /** A line, with the raw numbers for which it holds. */
   private record Line(BigDecimal factor, BigDecimal offset, ArxmlLimits limits) {
@@ -150,24 +150,32 @@ record ArxmlScaling(
 
     /** Reads the text of one number, or of all whole numbers between limits. */
     private void text(ArxmlElement scale, String text) throws NoNumberException {
-      ArxmlLimits limits = ArxmlLimits.of(scale, step, BigDecimal.ZERO);
-      Optional<BigDecimal> from = limits.least().or(limits::most);
-      Optional<BigDecimal> to = limits.most().or(limits::least);
-      if (from.isEmpty() || to.isEmpty()) {
-        throw new NoNumberException("This text has no number.", scale.location());
-      }
+      ArxmlLimits limits = limitsOfText(scale);
       String name = text.isEmpty() ? scale.text("SHORT-LABEL").orElse("") : text;
-      ArxmlLimits all = new ArxmlLimits(from, to);
-      ofTexts = Optional.of(ofTexts.map(all::around).orElse(all));
-      BigDecimal count = to.get().subtract(from.get());
-      if (count.compareTo(BigDecimal.valueOf(MOST_NUMBERS_OF_A_TEXT)) >= 0) {
+      ofTexts = Optional.of(ofTexts.map(limits::around).orElse(limits));
+      Optional<BigDecimal> count =
+          limits.most().flatMap(to -> limits.least().map(from -> to.subtract(from)));
+      if (count.filter(it -> it.compareTo(MOST_NUMBERS_OF_A_TEXT) < 0).isEmpty()) {
         unread.note(ArxmlUnread.Kind.WIDE, method.path() + " " + name, scale.location());
       } else if (!name.isEmpty()) {
-        BigDecimal next = from.get().setScale(0, RoundingMode.CEILING);
-        for (; next.compareTo(to.get()) <= 0; next = next.add(BigDecimal.ONE)) {
+        BigDecimal next = limits.least().orElseThrow().setScale(0, RoundingMode.CEILING);
+        for (; next.compareTo(limits.most().orElseThrow()) <= 0; next = next.add(BigDecimal.ONE)) {
           texts.putIfAbsent(trimmed(next), name);
         }
       }
+    }
+
+    /** Returns the limits of a text; one that is there alone is its number. */
+    private ArxmlLimits limitsOfText(ArxmlElement scale) throws NoNumberException {
+      ArxmlLimits limits = ArxmlLimits.of(scale, step, BigDecimal.ZERO);
+      if (scale.first("LOWER-LIMIT").isPresent() && scale.first("UPPER-LIMIT").isPresent()) {
+        return limits;
+      }
+      Optional<BigDecimal> number = limits.least().or(limits::most);
+      if (number.isEmpty()) {
+        throw new NoNumberException("This text has no number.", scale.location());
+      }
+      return new ArxmlLimits(number, number);
     }
   }
 

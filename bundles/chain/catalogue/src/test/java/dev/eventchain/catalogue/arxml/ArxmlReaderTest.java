@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -44,6 +45,9 @@ class ArxmlReaderTest {
       </CAN-PHYSICAL-CHANNEL></PHYSICAL-CHANNELS></CAN-CLUSTER-CONDITIONAL></CAN-CLUSTER-VARIANTS></CAN-CLUSTER>
       </ELEMENTS></AR-PACKAGE></AR-PACKAGES></AUTOSAR>
       """;
+
+  private static final String MAPPING =
+      "<I-SIGNAL-TO-I-PDU-MAPPING><I-SIGNAL-REF>/P/S</I-SIGNAL-REF><START-POSITION>0</START-POSITION></I-SIGNAL-TO-I-PDU-MAPPING>";
 
   @TempDir private Path folder;
 
@@ -89,6 +93,23 @@ class ArxmlReaderTest {
     assertTrue(count > 100, () -> "few elements");
   }
 
+  /** The last text of a table may stand for all numbers from one on. */
+  @Test
+  void theTextOfARangeWithoutAnEndLeavesTheRangeOpen() throws IOException {
+    String scales =
+        """
+        <COMPU-SCALE><LOWER-LIMIT>0</LOWER-LIMIT><UPPER-LIMIT>0</UPPER-LIMIT><COMPU-CONST><VT>off</VT></COMPU-CONST></COMPU-SCALE>
+        <COMPU-SCALE><LOWER-LIMIT>1</LOWER-LIMIT><UPPER-LIMIT INTERVAL-TYPE="INFINITE"/><COMPU-CONST><VT>on</VT></COMPU-CONST></COMPU-SCALE>
+        """;
+    List<String> found = new ArrayList<>();
+    List<CatalogueSignal> read =
+        read(LARGE.formatted(scales, MAPPING), it -> found.add(it.message()));
+    assertEquals(OptionalDouble.of(0xFFFF), read.get(0).most());
+    assertTrue(
+        found.contains("A text of more than 256 numbers is not read as their name: '/P/M on'."),
+        found::toString);
+  }
+
   /** Texts of ranges, and signals that share a method, multiply each other. */
   @Test
   void textsThatMultiplyEndReading() throws IOException {
@@ -101,12 +122,10 @@ class ArxmlReaderTest {
               256 * i,
               256 * i + 255));
     }
-    String mapping =
-        "<I-SIGNAL-TO-I-PDU-MAPPING><I-SIGNAL-REF>/P/S</I-SIGNAL-REF><START-POSITION>0</START-POSITION></I-SIGNAL-TO-I-PDU-MAPPING>";
     List<String> found = new ArrayList<>();
     Consumer<Diagnostic> sizes =
         it -> Stream.of(it.id()).filter("catalogue.size"::equals).forEach(found::add);
-    assertEquals(List.of(), read(LARGE.formatted(scales, mapping.repeat(200)), sizes));
+    assertEquals(List.of(), read(LARGE.formatted(scales, MAPPING.repeat(200)), sizes));
     assertEquals(List.of("catalogue.size"), found);
   }
 }
