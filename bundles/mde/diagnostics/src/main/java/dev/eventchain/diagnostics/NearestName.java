@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Suggestions of known names for an unknown one. */
 public final class NearestName {
@@ -23,11 +24,14 @@ public final class NearestName {
     String plain = plain(unknown);
     int limit = Math.max(1, plain.length() / 3);
     return known.stream()
-        .sorted()
+        .filter(name -> Math.abs(plain(name).length() - plain.length()) <= limit)
+        .map(name -> new Near(name, distance(plain, plain(name), limit)))
+        .filter(near -> near.distance() <= limit)
         .min(
-            Comparator.comparingInt((String name) -> distance(plain, plain(name)))
-                .thenComparingInt(name -> distance(unknown, name)))
-        .filter(name -> distance(plain, plain(name)) <= limit);
+            Comparator.comparingInt(Near::distance)
+                .thenComparingInt(near -> distance(unknown, near.name(), Integer.MAX_VALUE))
+                .thenComparing(Near::name))
+        .map(Near::name);
   }
 
   /**
@@ -72,11 +76,17 @@ public final class NearestName {
     return name.toLowerCase(Locale.ROOT).replace("_", "");
   }
 
+  /** A name with its distance from the unknown one. */
+  private record Near(String name, int distance) {}
+
   /**
    * Returns the optimal string alignment distance: Levenshtein's, with the swap of two neighbours
    * as one step.
+   *
+   * @param limit the greatest distance of interest: of greater ones, any number above it is
+   *     returned, which keeps the search short among a hundred thousand names
    */
-  private static int distance(String first, String second) {
+  private static int distance(String first, String second, int limit) {
     int[] older = new int[second.length() + 1];
     int[] previous = new int[second.length() + 1];
     int[] current = new int[second.length() + 1];
@@ -100,7 +110,14 @@ public final class NearestName {
                 && first.charAt(i - 2) == second.charAt(j - 1);
         current[j] = swapped ? Math.min(best, older[j - 2] + 1) : best;
       }
+      if (least(previous) > limit && least(current) > limit) {
+        return Integer.MAX_VALUE;
+      }
     }
     return current[second.length()];
+  }
+
+  private static int least(int[] numbers) {
+    return IntStream.of(numbers).min().orElse(0);
   }
 }
