@@ -7,8 +7,10 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -37,7 +39,10 @@ final class ArxmlPdus {
   private final ArxmlSignals signals;
   private final ArxmlMultiplexers multiplexers;
   private final Set<String> read = new LinkedHashSet<>();
-  private final Set<String> contained = new LinkedHashSet<>();
+
+  /** The messages of PDUs in containers, by their paths. */
+  private final Map<String, NetworkMessage> contained = new HashMap<>();
+
   private long unnumbered = WITHOUT_IDENTIFIER;
   private long count;
 
@@ -152,7 +157,10 @@ final class ArxmlPdus {
     }
   }
 
-  /** Reads the PDUs of a container, each of which is a message of its own. */
+  /**
+   * Reads the PDUs of a container, each of which is a message of its own, also if it is in other
+   * containers.
+   */
   private void contained(ArxmlElement container, Place place, List<Content> contents)
       throws NoNumberException {
     for (ArxmlElement reference :
@@ -160,16 +168,28 @@ final class ArxmlPdus {
       Optional<ArxmlElement> pdu =
           tree.follow(reference, Set.of("PDU-TRIGGERING"))
               .flatMap(it -> tree.follow(it, Set.of(), "I-PDU-REF"));
-      if (pdu.isPresent() && contained.add(pdu.get().path())) {
-        NetworkMessage message =
-            new NetworkMessage(unnumbered(), pdu.get().name(), size(pdu.get(), "LENGTH"));
-        Set<ArxmlElement> parts = new LinkedHashSet<>(contents.get(0).parts());
-        List<Content> inner = new ArrayList<>(List.of(new Content(message, parts)));
-        Place within = new Place(0, cycle(container, place), place.depth() + 1);
-        add(pdu.get(), within, inner);
-        contents.addAll(inner);
+      if (pdu.isPresent()) {
+        contained(pdu.get(), container, place, contents);
       }
     }
+  }
+
+  private void contained(
+      ArxmlElement pdu, ArxmlElement container, Place place, List<Content> contents)
+      throws NoNumberException {
+    Set<ArxmlElement> parts = new LinkedHashSet<>(contents.get(0).parts());
+    NetworkMessage known = contained.get(pdu.path());
+    if (known != null) {
+      count(1);
+      parts.add(pdu);
+      contents.add(new Content(known, parts));
+      return;
+    }
+    NetworkMessage message = new NetworkMessage(unnumbered(), pdu.name(), size(pdu, "LENGTH"));
+    contained.put(pdu.path(), message);
+    List<Content> inner = new ArrayList<>(List.of(new Content(message, parts)));
+    add(pdu, new Place(0, cycle(container, place), place.depth() + 1), inner);
+    contents.addAll(inner);
   }
 
   /** Returns the signals of a PDU in their order, and notes that it was read. */
@@ -195,11 +215,15 @@ final class ArxmlPdus {
   }
 
   private NetworkSignal counted(NetworkSignal signal) {
-    count += 1 + signal.texts().size();
+    count(1 + signal.texts().size());
+    return signal;
+  }
+
+  private void count(int more) {
+    count += more;
     if (count > MOST) {
       throw new TooManyException();
     }
-    return signal;
   }
 
   private static List<ArxmlElement> mappings(ArxmlElement pdu) {

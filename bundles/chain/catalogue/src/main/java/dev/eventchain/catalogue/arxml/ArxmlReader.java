@@ -30,6 +30,14 @@ final class ArxmlReader {
   /** A frame with the channels on which it is, and what its first triggering says. */
   private record Sent(ArxmlElement frame, ArxmlElement triggering, Set<ArxmlElement> channels) {}
 
+  /** The channels of a message, and its parts: a PDU may be in containers of several channels. */
+  private record Sending(Set<ArxmlElement> channels, Set<ArxmlElement> parts) {
+
+    static Sending nowhere() {
+      return new Sending(new LinkedHashSet<>(), new LinkedHashSet<>());
+    }
+  }
+
   ArxmlReader(ArxmlTree tree, Consumer<Diagnostic> findings) {
     this.tree = tree;
     this.findings = findings;
@@ -41,11 +49,15 @@ final class ArxmlReader {
     List<ArxmlElement> channels = channels();
     channels.forEach(channel -> buses.putIfAbsent(channel.path(), buses.size() + 1));
     ArxmlSenders senders = new ArxmlSenders(tree, channels);
+    Map<NetworkMessage, Sending> all = new LinkedHashMap<>();
     for (Sent sent : frames(channels).values()) {
       for (ArxmlPdus.Content content : contents(sent)) {
-        content.message().senders().addAll(senders.of(sent.channels(), content.parts()));
+        Sending sending = all.computeIfAbsent(content.message(), key -> Sending.nowhere());
+        sending.channels().addAll(sent.channels());
+        sending.parts().addAll(content.parts());
       }
     }
+    all.forEach((message, it) -> message.senders().addAll(senders.of(it.channels(), it.parts())));
     pdus.noteOthers();
     unread.report(findings);
     return network;
