@@ -1,6 +1,8 @@
 package dev.eventchain.catalogue.arxml;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -55,6 +57,8 @@ final class ArxmlSenders {
               "I-SIGNAL-PORT-REFS",
               "I-SIGNAL-PORT-REF"));
 
+  private static final Set<String> GROUP = Set.of("I-SIGNAL-I-PDU-GROUP");
+
   private final ArxmlTree tree;
 
   /** Ends by ways, and paths of channels and of what they are about. */
@@ -72,8 +76,7 @@ final class ArxmlSenders {
     for (ArxmlElement ecu : tree.all("ECU-INSTANCE")) {
       for (ArxmlElement group :
           ecu.all("ASSOCIATED-COM-I-PDU-GROUP-REFS", "ASSOCIATED-COM-I-PDU-GROUP-REF")) {
-        tree.follow(group, Set.of("I-SIGNAL-I-PDU-GROUP"))
-            .ifPresent(it -> group(it, ecu.name(), new HashSet<>()));
+        tree.follow(group, GROUP).ifPresent(it -> group(it, ecu.name()));
       }
     }
   }
@@ -99,20 +102,30 @@ final class ArxmlSenders {
     return channel.path() + " " + about.path();
   }
 
-  private void group(ArxmlElement group, String ecu, Set<String> seen) {
-    if (!seen.add(group.path())) {
-      return;
+  /** Adds what a group and those in it hold, each once. */
+  private void group(ArxmlElement first, String ecu) {
+    Set<String> seen = new HashSet<>();
+    Deque<ArxmlElement> open = new ArrayDeque<>(List.of(first));
+    while (!open.isEmpty()) {
+      ArxmlElement group = open.pop();
+      if (seen.add(group.path())) {
+        pdus(group, ecu);
+        group
+            .all("CONTAINED-I-SIGNAL-I-PDU-GROUP-REFS", "CONTAINED-I-SIGNAL-I-PDU-GROUP-REF")
+            .stream()
+            .flatMap(it -> tree.follow(it, GROUP).stream())
+            .forEach(open::push);
+      }
     }
+  }
+
+  private void pdus(ArxmlElement group, String ecu) {
     String direction = group.text("COMMUNICATION-DIRECTION").orElse("");
     for (ArxmlElement reference :
         group.all("I-SIGNAL-I-PDUS", "I-SIGNAL-I-PDU-REF-CONDITIONAL", "I-SIGNAL-I-PDU-REF")) {
       tree.follow(reference, Set.of())
           .ifPresent(
               pdu -> groups.computeIfAbsent(pdu.path(), key -> new Ends()).add(ecu, direction));
-    }
-    for (ArxmlElement inner :
-        group.all("CONTAINED-I-SIGNAL-I-PDU-GROUP-REFS", "CONTAINED-I-SIGNAL-I-PDU-GROUP-REF")) {
-      tree.follow(inner, Set.of("I-SIGNAL-I-PDU-GROUP")).ifPresent(it -> group(it, ecu, seen));
     }
   }
 

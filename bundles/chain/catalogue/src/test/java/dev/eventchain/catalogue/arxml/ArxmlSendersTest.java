@@ -9,8 +9,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -39,6 +41,13 @@ class ArxmlSendersTest {
       </FRAME-TRIGGERINGS><PDU-TRIGGERINGS><PDU-TRIGGERING><SHORT-NAME>T</SHORT-NAME><I-PDU-REF>/P/U</I-PDU-REF>
       </PDU-TRIGGERING></PDU-TRIGGERINGS></CAN-PHYSICAL-CHANNEL></PHYSICAL-CHANNELS></CAN-CLUSTER-CONDITIONAL>
       </CAN-CLUSTER-VARIANTS></CAN-CLUSTER>
+      """;
+
+  private static final String GROUP =
+      """
+      <I-SIGNAL-I-PDU-GROUP><SHORT-NAME>G%d</SHORT-NAME><CONTAINED-I-SIGNAL-I-PDU-GROUP-REFS>
+      <CONTAINED-I-SIGNAL-I-PDU-GROUP-REF>/P/G%d</CONTAINED-I-SIGNAL-I-PDU-GROUP-REF>
+      </CONTAINED-I-SIGNAL-I-PDU-GROUP-REFS></I-SIGNAL-I-PDU-GROUP>
       """;
 
   @TempDir private Path folder;
@@ -81,5 +90,28 @@ class ArxmlSendersTest {
     assertEquals(List.of(Role.COMMAND), roles("Source", source, gateway, second, first));
     assertEquals(List.of(Role.SENSOR), roles("Gateway", source, gateway, second, first));
     assertEquals(List.of(Role.COMMAND), roles("Source", source, gateway, first, second));
+  }
+
+  @Test
+  void thousandsOfGroupsInEachOtherAreFollowed() throws IOException {
+    int last = 20_000;
+    String groups =
+        IntStream.range(0, last)
+            .mapToObj(i -> String.format(Locale.ROOT, GROUP, i, i + 1))
+            .collect(Collectors.joining());
+    String sending =
+        String.format(
+            Locale.ROOT,
+            """
+            <I-SIGNAL-I-PDU-GROUP><SHORT-NAME>G%d</SHORT-NAME><COMMUNICATION-DIRECTION>OUT</COMMUNICATION-DIRECTION>
+            <I-SIGNAL-I-PDUS><I-SIGNAL-I-PDU-REF-CONDITIONAL><I-SIGNAL-I-PDU-REF>/P/U</I-SIGNAL-I-PDU-REF>
+            </I-SIGNAL-I-PDU-REF-CONDITIONAL></I-SIGNAL-I-PDUS></I-SIGNAL-I-PDU-GROUP>
+            """,
+            last);
+    String ecu =
+        ecu(
+            "E",
+            "<ASSOCIATED-COM-I-PDU-GROUP-REFS><ASSOCIATED-COM-I-PDU-GROUP-REF>/P/G0</ASSOCIATED-COM-I-PDU-GROUP-REF></ASSOCIATED-COM-I-PDU-GROUP-REFS>");
+    assertEquals(List.of(Role.COMMAND), roles("E", ecu, groups, sending, bus("Bus")));
   }
 }
