@@ -319,7 +319,7 @@ final class TraceFindings {
                     unanswered.count()),
                 model.locate(constraint, Literals.LATENCY_CONSTRAINT__MAXIMUM))
             .withHint(
-                "A component on the way has stopped, hangs, or reads messages too seldom. Nodes that are ended before the trace look as if they hung: stop the trace first."));
+                "A component on the way has stopped, hangs, or reads messages too seldom. Nodes that are ended before the trace look as if they hung: stop the trace first. Suppress this where one publishes only on events."));
   }
 
   /** Returns for how long an output stands whose age was allowed when it was written, in ms. */
