@@ -49,6 +49,9 @@ class FormatTest {
         "- id: format.differs\n  file: rules.ocl\n  expires: 2999-01-01\n  reason: As it was.\n");
     new Program().run("format", "--check", folder).expect(0).says("1 suppressed in 3 files");
     new Program().run("format", folder.resolve("none.ocl")).expect(2).says("file.missing");
+    Path none = folder.resolve("none.yaml");
+    new Program().run("format", folder, "--suppressions", none).expect(2).says("none.yaml");
+    assertEquals(RULES, Files.readString(folder.resolve("rules.ocl")));
     new Program().run("format", folder, "-o", folder).expect(2).says("leave out -o");
     new Program().run("format", folder, "--indent=0").expect(2).says("from 1 to 16 columns");
   }

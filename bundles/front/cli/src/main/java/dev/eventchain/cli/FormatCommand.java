@@ -61,9 +61,9 @@ final class FormatCommand extends ProjectCommand {
       throw wrongUsage("an indentation has from 1 to " + WIDEST + " columns: --indent 4");
     }
     List<Path> named = inputs.isEmpty() ? List.of(here()) : inputs;
+    Suppressions outside = suppressions();
     Formatting.Result result = Formatting.of(named, indent, !check);
     result.changed().forEach(file -> print("formatted " + file));
-    Suppressions outside = suppressions();
     return Formatting.outcome(
         result,
         project ->

@@ -46,9 +46,9 @@ public final class FormatMojo extends EventchainMojo {
   @Override
   Outcome work() {
     List<Path> named = Places.shown(files.isEmpty() ? List.of(basedir()) : files);
+    Suppressions ofModule = suppressions();
     Formatting.Result result = Formatting.of(named, indent, !check);
     result.changed().forEach(file -> getLog().info("Formatted " + file));
-    Suppressions ofModule = suppressions();
     return Formatting.outcome(
         result,
         project ->
