@@ -6,18 +6,56 @@ final class Axle {
   /** Least yaw rate at which the motion is integrated in closed form, in rad/s. */
   private static final double SLOWEST_SPIN = 0.01;
 
-  double along;
-  double across;
-  double heading;
+  private final double toBumper;
 
-  Axle(double along, double across, double heading) {
+  /** Its place, offset so that it equals that of the front bumper at heading 0. */
+  private double along;
+
+  private double across;
+  private double heading;
+
+  private Axle(double toBumper, double along, double across, double heading) {
+    this.toBumper = toBumper;
     this.along = along;
     this.across = across;
     this.heading = heading;
   }
 
+  /**
+   * Returns the axle of a vehicle at the start, where the middle of its front bumper is at 0.
+   *
+   * @param toBumper its distance to the front bumper, in m
+   * @param offset of the middle of the front bumper from the centre of the lane, in m
+   * @param heading in rad
+   */
+  static Axle start(double toBumper, double offset, double heading) {
+    Axle axle = new Axle(toBumper, 0.0, 0.0, heading);
+    axle.along = -axle.ahead();
+    axle.across = offset - axle.aside();
+    return axle;
+  }
+
   Axle copy() {
-    return new Axle(along, across, heading);
+    return new Axle(toBumper, along, across, heading);
+  }
+
+  /** Returns the offset of the front bumper along the road due to the heading. */
+  private double ahead() {
+    return toBumper * (StrictMath.cos(heading) - 1.0);
+  }
+
+  private double aside() {
+    return toBumper * StrictMath.sin(heading);
+  }
+
+  /** Returns its distance to the front bumper, in m. */
+  double toBumper() {
+    return toBumper;
+  }
+
+  /** Returns the position of the middle of the front bumper, and its heading. */
+  Road.Place front() {
+    return new Road.Place(along + ahead(), across + aside(), heading);
   }
 
   /**

@@ -57,18 +57,39 @@ public record Contact(long time, Actor other, double speed, Side side, boolean d
     double along = other.speedAlong(seconds) * cos - other.speedAcross(seconds) * sin;
     double across = other.speedAlong(seconds) * sin + other.speedAcross(seconds) * cos;
     Side side = side(ego, motion.shape(), body);
+    boolean turns = motion.spin() != 0.0;
+    boolean moves = velocity != 0.0 || turns;
     boolean driven =
         switch (side) {
-          case FRONT -> velocity > 0.0;
-          case REAR -> velocity < 0.0;
-          case LEFT -> -other.speedAcross(seconds) < TOWARDS && velocity != 0.0;
-          case RIGHT -> other.speedAcross(seconds) < TOWARDS && velocity != 0.0;
+          case FRONT -> velocity > 0.0 || (turns && -along < TOWARDS);
+          case REAR -> velocity < 0.0 || (turns && along < TOWARDS);
+          case LEFT -> -other.speedAcross(seconds) < TOWARDS && moves;
+          case RIGHT -> other.speedAcross(seconds) < TOWARDS && moves;
         };
-    return new Contact(time, other, StrictMath.hypot(velocity - along, across), side, driven);
+    Point point = point(motion, body);
+    double forwards = velocity - motion.spin() * point.left() - along;
+    double sideways = motion.spin() * point.ahead() - across;
+    return new Contact(time, other, StrictMath.hypot(forwards, sideways), side, driven);
   }
 
-  /** Speed across the road, in m/s, below which an actor does not drive into the ego's side. */
+  /** Speed in m/s below which an actor does not drive into the ego. */
   private static final double TOWARDS = 0.05;
+
+  /** A point of the ego, in m from its rear axle. */
+  private record Point(double ahead, double left) {}
+
+  /** Returns the point of the ego that is nearest to the middle of another body. */
+  private static Point point(EgoMotion motion, Body other) {
+    Road.Place axle = motion.front().ahead(-motion.axleToBumper());
+    double cos = StrictMath.cos(axle.heading());
+    double sin = StrictMath.sin(axle.heading());
+    double x = other.place().x() - axle.x();
+    double y = other.place().y() - axle.y();
+    double front = motion.axleToBumper();
+    double side = motion.shape().width() / 2;
+    double ahead = Math.max(front - motion.shape().length(), Math.min(front, x * cos + y * sin));
+    return new Point(ahead, Math.max(-side, Math.min(side, y * cos - x * sin)));
+  }
 
   /** Returns the side along whose normal the boxes are farthest apart, or overlap least. */
   private static Side side(Road.Place front, Shape ego, Body other) {

@@ -28,9 +28,6 @@ public final class EgoMotion {
   private final double maximalAcceleration;
   private final Chassis chassis;
   private final Shape shape;
-  private final double axleToBumper;
-
-  /** The rear axle, offset so that its place equals that of the front bumper at heading 0. */
   private final Axle axle;
 
   private double curvature;
@@ -67,10 +64,7 @@ public final class EgoMotion {
     this.speed = vehicle.speed();
     this.chassis = vehicle.chassis();
     this.shape = vehicle.shape();
-    this.axleToBumper = vehicle.axleToBumper();
-    this.axle = new Axle(0.0, 0.0, chassis.heading());
-    axle.along = -ahead();
-    axle.across = chassis.offset() - aside();
+    this.axle = Axle.start(vehicle.axleToBumper(), chassis.offset(), chassis.heading());
   }
 
   private EgoMotion(EgoMotion other) {
@@ -81,7 +75,6 @@ public final class EgoMotion {
     this.maximalAcceleration = other.maximalAcceleration;
     this.chassis = other.chassis;
     this.shape = other.shape;
-    this.axleToBumper = other.axleToBumper;
     this.axle = other.axle.copy();
     this.curvature = other.curvature;
     this.spin = other.spin;
@@ -100,18 +93,9 @@ public final class EgoMotion {
     return new EgoMotion(this);
   }
 
-  /** Returns the offset of the front bumper along the road due to the heading. */
-  private double ahead() {
-    return axleToBumper * (StrictMath.cos(axle.heading) - 1.0);
-  }
-
-  private double aside() {
-    return axleToBumper * StrictMath.sin(axle.heading);
-  }
-
   /** Returns the position of the middle of the front bumper, and its heading. */
   public Road.Place front() {
-    return new Road.Place(axle.along + ahead(), axle.across + aside(), axle.heading);
+    return axle.front();
   }
 
   /** Returns the body. */
@@ -130,7 +114,7 @@ public final class EgoMotion {
    * @param change by which the speed grows at most
    */
   double fastest(double change) {
-    double ends = Math.max(axleToBumper, shape.length() - axleToBumper);
+    double ends = Math.max(axle.toBumper(), shape.length() - axle.toBumper());
     double farthest = ends + shape.width() / 2;
     return spins()
         ? speed + change + chassis.maximalYawRate() * farthest
@@ -155,6 +139,16 @@ public final class EgoMotion {
   /** Returns the yaw rate in rad/s, positive to the left. */
   double yawRate() {
     return spins() ? spin : velocity() * curvature;
+  }
+
+  /** Returns the yaw rate of a vehicle that turns on the spot, in rad/s; 0 for all others. */
+  double spin() {
+    return spins() ? spin : 0.0;
+  }
+
+  /** Returns the distance from the rear axle to the front bumper, in m. */
+  double axleToBumper() {
+    return axle.toBumper();
   }
 
   /** Returns the speed in m/s, never negative. */

@@ -203,6 +203,38 @@ class SpeedCommandTest {
     assertEquals("", VehicleCommand.of(slow, robot).ignored());
   }
 
+  /**
+   * A robot that stands and turns hits what stands behind or beside it, as fast as its corner goes.
+   * Its axle is at -x, and its corners are there to within the size of the post.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "1, -3.30, -0.3, the ego's rear hit post",
+    "-1, -3.30, 0.3, the ego's rear hit post",
+    "1, 0.5, 1.3, the ego's left side hit post",
+    "-1, 0.5, -1.3, the ego's right side hit post"
+  })
+  void aRobotThatTurnsOnTheSpotHitsOthers(double yawRate, double ahead, double left, String words) {
+    EgoVehicle robot = turning(0.0, 0.0);
+    double axle = -robot.axleToBumper();
+    Actor post =
+        new Actor(
+            "post",
+            ActorKind.PEDESTRIAN,
+            new Actor.Size(0.1, 0.1, 0, 1),
+            axle + ahead - 0.05,
+            0.0,
+            new SpeedProfile(0.0, List.of()),
+            new LateralProfile(left, List.of()));
+    World world = new World(Situation.straight(robot, List.of(post)), new Trace());
+    command(world, robot, 0.0, yawRate);
+    world.advanceTo(World.nanoseconds(2));
+    assertEquals(words, world.trace().impact());
+    assertEquals(List.of(), world.trace().fromBehind());
+    double radius = Math.hypot(ahead, left);
+    assertEquals(radius, world.trace().impactSpeed().orElseThrow(), 0.1);
+  }
+
   /** Checks how far its rear axle is from where it was, and where its front is then. */
   private static void assertFrom(
       World world, EgoVehicle robot, double along, double across, double heading) {
