@@ -243,12 +243,16 @@ public final class ScenarioRunner {
     return System.nanoTime() - started;
   }
 
-  /** Returns when the ego stopped, given that until now; never while it moves. */
-  private static long stoppedAt(World world, long before) {
+  /**
+   * Returns when the ego came to rest, given that until now; never while it drives. As long as it
+   * turns on the spot, that is now.
+   */
+  static long stoppedAt(World world, long before) {
     if (world.egoSpeed() > 0.0) {
       return Long.MAX_VALUE;
     }
-    return before == Long.MAX_VALUE ? world.now() : before;
+    boolean turns = !world.egoRests() && before < world.now();
+    return before == Long.MAX_VALUE || turns ? world.now() : before;
   }
 
   private static boolean othersRest(World world) {

@@ -86,6 +86,11 @@ public final class World {
     return ego.speed();
   }
 
+  /** Returns whether the ego neither drives nor turns on the spot. */
+  public boolean egoRests() {
+    return ego.speed() == 0.0 && ego.spin() == 0.0;
+  }
+
   /**
    * Returns whether the ego hit an actor or a wall next to the road, or was hit, but not from
    * behind.
