@@ -5,6 +5,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * State in which launch starts nodes. ROS 2 calls it the launch configurations: a scoped group
@@ -16,6 +18,7 @@ final class LaunchScope {
   private static final String UNKNOWN = "$(unknown)";
 
   private static final int DEEPEST = 20;
+  private static final Pattern VARIABLE = Pattern.compile("(?:var|arg)\\s+(\\S.*)", Pattern.DOTALL);
 
   private final Map<String, String> variables;
 
@@ -124,18 +127,34 @@ final class LaunchScope {
   }
 
   private Optional<String> substitution(String inner, int depth) {
-    String[] parts = inner.split(" ", 3);
-    if (LaunchSubstitution.isOne(parts[0]) && depth <= DEEPEST) {
+    if (LaunchSubstitution.isOne(inner.split("\\s", 2)[0]) && depth <= DEEPEST) {
       return LaunchSubstitution.value(inner, word -> text(word, depth + 1));
     }
-    if (parts.length < 2 || !parts[0].matches("var|arg") || depth > DEEPEST) {
+    Matcher variable = VARIABLE.matcher(inner);
+    if (!variable.matches() || depth > DEEPEST) {
       return Optional.of("$(" + inner + ")");
     }
-    String value = variables.get(unquoted(parts[1]));
-    if (value != null || parts.length < 3) {
-      return Optional.ofNullable(value);
+    String all = variable.group(1);
+    int end = endOfName(all);
+    Optional<String> name = text(unquoted(all.substring(0, end)), depth + 1);
+    if (!name.filter(LaunchScope::isComplete).isPresent()) {
+      return Optional.of(UNKNOWN);
     }
-    return text(unquoted(parts[2]), depth + 1);
+    String value = variables.get(name.get());
+    String usual = all.substring(end).strip();
+    return value != null || usual.isEmpty()
+        ? Optional.ofNullable(value)
+        : text(unquoted(usual), depth + 1);
+  }
+
+  /** Returns where a name ends, which may have substitutions in parentheses. */
+  private static int endOfName(String text) {
+    int end = 0;
+    while (end < text.length() && !Character.isWhitespace(text.charAt(end))) {
+      int close = text.startsWith("$(", end) ? end(text, end + 2) : -1;
+      end = close < 0 ? end + 1 : close + 1;
+    }
+    return end;
   }
 
   private static String unquoted(String text) {

@@ -86,6 +86,22 @@ class LaunchFilesTest {
         "/one {} {}\n");
   }
 
+  /** A name of a variable may be that of another one, in part. */
+  @Test
+  void namesOfVariablesMayHaveVariables() throws IOException {
+    check(
+        "<let name='side' value='left'/><let name='left_name' value='a'/>"
+            + "<node pkg='braking' exec='brake' name='$(var $(var side)_name)'/>"
+            + "<node pkg='braking' exec='brake' name='$(var  $(var side)_no  b)'/>"
+            + "<node pkg='braking' exec='brake' name='$(var $(env SIDE)_name c)'/>",
+        """
+        /a {} {}
+        /b {} {}
+        /Brake {} {}
+        What is the name of this node?
+        """);
+  }
+
   @Test
   void conditionsInPythonAreDecided() throws IOException {
     checkPython(
