@@ -101,11 +101,16 @@ final class LaunchRun {
 
   /** Returns the files that no other file includes. */
   static List<String> roots(Sources sources) {
-    LaunchRun run = new LaunchRun(sources, new ArrayList<>(), true);
+    Set<String> included = new TreeSet<>();
     for (String file : sources.files().keySet()) {
-      run.file(file, new LaunchScope(), 0);
+      for (boolean isWhole : List.of(true, false)) {
+        LaunchRun run = new LaunchRun(sources, new ArrayList<>(), isWhole);
+        run.file(file, new LaunchScope(), 0);
+        run.included.remove(file);
+        included.addAll(run.included);
+      }
     }
-    return sources.files().keySet().stream().filter(it -> !run.included.contains(it)).toList();
+    return sources.files().keySet().stream().filter(it -> !included.contains(it)).toList();
   }
 
   private void file(String file, LaunchScope scope, int depth) {

@@ -102,6 +102,23 @@ class LaunchFilesTest {
         """);
   }
 
+  /** The file that is included may depend on conditions, and a file may include itself. */
+  @Test
+  void alternativesAreIncluded() throws IOException {
+    for (String name : new String[] {"left", "right"}) {
+      write(
+          name + ".launch.xml",
+          "<launch><node pkg='braking' exec='brake' name='" + name + "'/></launch>");
+    }
+    check(
+        "<arg name='on' default='true'/>"
+            + "<let name='part' value='left' if='$(var on)'/>"
+            + "<let name='part' value='right' unless='$(var on)'/>"
+            + "<include file='$(dirname)/$(var part).launch.xml'/>"
+            + "<include file='$(dirname)/all.launch.xml' unless='$(var on)'/>",
+        "/left {} {}\n");
+  }
+
   @Test
   void conditionsInPythonAreDecided() throws IOException {
     checkPython(
