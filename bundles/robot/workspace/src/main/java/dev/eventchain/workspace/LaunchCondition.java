@@ -8,6 +8,9 @@ import java.util.function.Function;
 /** Conditions of elements of launch files: {@code if}, {@code unless}, and what Python adds. */
 final class LaunchCondition {
 
+  /** The attributes of an element that say whether it is launched. */
+  static final Set<String> ATTRIBUTES = Set.of("if", "unless", "equals", "differs", "to");
+
   private static final Set<String> TRUE = Set.of("true", "1");
   private static final Set<String> FALSE = Set.of("false", "0");
 

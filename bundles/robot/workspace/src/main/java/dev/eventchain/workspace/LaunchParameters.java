@@ -139,7 +139,7 @@ final class LaunchParameters {
   }
 
   private Optional<JsonNode> value(LaunchElement element) {
-    if (!KNOWN.containsAll(element.attributes().keySet())) {
+    if (!element.attributes().keySet().stream().allMatch(LaunchParameters::isKnown)) {
       return Optional.empty();
     }
     Optional<JsonNode> stated = attribute(element, "json").map(LaunchParameters::json);
@@ -148,6 +148,10 @@ final class LaunchParameters {
       return stated.or(() -> text.flatMap(LaunchParameters::inferred));
     }
     return text.flatMap(it -> typed(it, attribute(element, "type").orElse("")));
+  }
+
+  private static boolean isKnown(String attribute) {
+    return KNOWN.contains(attribute) || LaunchCondition.ATTRIBUTES.contains(attribute);
   }
 
   /** Returns a value of a stated type; empty if that is not known, or the text is of another. */

@@ -143,7 +143,7 @@ final class LaunchRun {
       case "node_container", "load_composable_node" -> container(element, scope, depth);
       case "composable_node" -> node(element, "plugin", scope);
       case "set_parameter", "set_parameters_from_file" ->
-          scope.parameters.addAll(parameters(scope).ofAll(element));
+          scope.assign(parameters(scope).ofAll(element), isSure);
       default -> {
         if (!WITHOUT_NODES.contains(element.kind())) {
           String reason = element.known("text").orElse("'" + element.kind() + "' is not read");

@@ -70,6 +70,15 @@ final class LaunchScope {
     variables.remove(variable);
   }
 
+  /**
+   * Adds assignments to the parameters of all later nodes.
+   *
+   * @param isSure whether they are made; otherwise, no value is known
+   */
+  void assign(List<ParameterAssignment> all, boolean isSure) {
+    all.forEach(each -> parameters.add(isSure ? each : each.unsure()));
+  }
+
   /** Returns whether a text has no substitution that is not known. */
   static boolean isComplete(String text) {
     return !text.contains("$(");

@@ -19,4 +19,9 @@ record ParameterAssignment(String nodes, String name, Optional<JsonNode> value) 
   static ParameterAssignment unknown() {
     return new ParameterAssignment(ALL, "", Optional.empty());
   }
+
+  /** Returns the same for a value that is perhaps not given. */
+  ParameterAssignment unsure() {
+    return new ParameterAssignment(nodes, name, Optional.empty());
+  }
 }

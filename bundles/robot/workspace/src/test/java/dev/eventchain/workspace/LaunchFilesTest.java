@@ -76,6 +76,29 @@ class LaunchFilesTest {
         """);
   }
 
+  /** A parameter that is perhaps set has no known value; one that is set has. */
+  @Test
+  void parametersUnderConditionsAreDecided() throws IOException {
+    write("some.yaml", "/**: {ros__parameters: {d: 1, e: 1}}");
+    String file = "<set_parameters_from_file filename='$(dirname)/some.yaml' %s/>";
+    check(
+        "<arg name='on' default='true'/><arg name='given'/>"
+            + "<set_parameter name='a' value='1' if='$(var on)'/>"
+            + "<set_parameter name='b' value='1' unless='$(var on)'/>"
+            + file.formatted("if='$(var on)'")
+            + "<node pkg='braking' exec='brake' name='one'/>"
+            + "<set_parameter name='a' value='2' if='$(var given)'/>"
+            + file.formatted("unless='$(var given)'")
+            + "<set_parameter name='e' value='2'/>"
+            + "<node pkg='braking' exec='brake' name='two'/>",
+        """
+        /one {a=1, d=1, e=1} {}
+        /two {e=2} {}
+        Is this launched? It is under a condition, and taken as launched.
+        Is this launched? It is under a condition, and taken as launched.
+        """);
+  }
+
   /** What a condition excludes by default is no launch file of its own. */
   @Test
   void filesUnderConditionsAreIncluded() throws IOException {
