@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 final class LaunchRun {
 
   private static final int DEEPEST = 20;
+  private static final int MOST_INCLUDES = 2_000;
   private static final Pattern SHARE =
       Pattern.compile("\\$\\(find-pkg-share '?([^)' ]+)'?\\)/+(.+)");
   private static final Pattern HERE = Pattern.compile("\\$\\(dirname\\)/+(.+)");
@@ -74,6 +75,7 @@ final class LaunchRun {
 
   private final Set<String> included = new TreeSet<>();
   private final boolean isWhole;
+  private int includes;
 
   /**
    * Creates a run.
@@ -256,7 +258,7 @@ final class LaunchRun {
             .path(element, "file")
             .flatMap(it -> located(it, element.file()))
             .filter(sources.files()::containsKey);
-    if (file.isEmpty() || depth > DEEPEST) {
+    if (file.isEmpty() || depth > DEEPEST || ++includes > MOST_INCLUDES) {
       ask(element, "Which nodes does the included launch file start? It is not in the workspace.");
       return;
     }

@@ -18,6 +18,10 @@ final class LaunchScope {
   private static final String UNKNOWN = "$(unknown)";
 
   private static final int DEEPEST = 20;
+
+  /** Greatest length of a value, and of what values add to a text. */
+  private static final int LONGEST = 20_000;
+
   private static final Pattern VARIABLE = Pattern.compile("(?:var|arg)\\s+(\\S.*)", Pattern.DOTALL);
 
   private final Map<String, String> variables;
@@ -63,7 +67,7 @@ final class LaunchScope {
 
   /** Sets a variable; one that is set to what is not known has no longer its earlier value. */
   void set(String variable, Optional<String> value) {
-    variables.put(variable, value.orElse(UNKNOWN));
+    variables.put(variable, value.filter(it -> it.length() <= LONGEST).orElse(UNKNOWN));
   }
 
   void unset(String variable) {
@@ -113,8 +117,8 @@ final class LaunchScope {
       }
       text.append(written, at, start);
       Optional<String> value = substitution(written.substring(start + 2, end), depth);
-      if (value.isEmpty()) {
-        return value;
+      if (value.isEmpty() || text.length() + value.get().length() > start + LONGEST) {
+        return Optional.empty();
       }
       text.append(value.get());
       at = end + 1;

@@ -1,6 +1,7 @@
 package dev.eventchain.workspace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.sandbox.PythonEnvironment;
 import java.io.IOException;
@@ -140,6 +141,19 @@ class LaunchFilesTest {
             + "<include file='$(dirname)/$(var part).launch.xml'/>"
             + "<include file='$(dirname)/all.launch.xml' unless='$(var on)'/>",
         "/left {} {}\n");
+  }
+
+  /** Values that double, and a file that includes itself twice. */
+  @Test
+  void whatMultipliesIsAskedFor() throws IOException {
+    StringBuilder lets = new StringBuilder("<let name='a0' value='aa'/>");
+    for (int i = 0; i < 60; i++) {
+      lets.append("<let name='a%s' value='$(var a%s)$(var a%s)'/>".formatted(i + 1, i, i));
+    }
+    String again = "<include file='$(dirname)/all.launch.xml'/>";
+    write("all.launch.xml", "<launch>" + lets + again.repeat(2) + "</launch>");
+    FoundSoftware found = Workspace.read(folder, Optional.empty(), PYTHON);
+    assertTrue(found.questions().stream().anyMatch(it -> it.text().startsWith("Which nodes does the incl")));
   }
 
   @Test
