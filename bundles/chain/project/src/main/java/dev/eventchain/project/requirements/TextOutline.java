@@ -2,7 +2,9 @@ package dev.eventchain.project.requirements;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -40,9 +42,12 @@ final class TextOutline {
   private final TextKinds kinds;
   private SourceText source;
   private final List<Open> all = new ArrayList<>();
-  private final List<Optional<Open>> around = new ArrayList<>();
+  private final Deque<Around> around = new ArrayDeque<>();
   private Open heading;
   private Open entry;
+
+  /** Items whose texts go on behind a term and its definition; null for none. */
+  private record Around(Open heading, Open entry) {}
 
   /** An item whose text may go on. */
   private static final class Open {
@@ -99,43 +104,60 @@ final class TextOutline {
   }
 
   private void heading(TextBlock.Heading found) {
-    entry = null;
-    Optional<TextIds.Named> named =
-        TextIds.ofHeading(found.text()).filter(it -> isItem(it, kinds.isHeading(it), found.line()));
-    if (found.level() >= RstBlocks.TERM && named.isEmpty()) {
+    if (found.level() >= RstBlocks.TERM) {
       term(found);
       return;
-    } else if (found.level() >= RstBlocks.TERM) {
-      around.add(Optional.ofNullable(heading));
     }
+    Optional<TextIds.Named> named = named(found);
     boolean continues =
         heading != null
             && heading.text.isEmpty()
             && found.level() > heading.depth
             && (heading.title.isBlank() || !isBeside(found));
+    entry = null;
     if (named.isPresent()) {
-      if (TextIds.isAnother(named.get())) {
-        reading.unread(
-            "This heading names several ids, and whose text follows is not known.",
-            source.at(found.line(), 1),
-            "Write a heading for each.");
-      }
-      String title = named.get().text().replaceFirst("^\\s*[-:.|–—]*\\s*", "");
-      heading = new Open(named.get().id(), title, source.at(found.line(), 1), found.level());
-      all.add(heading);
+      open(found, named.get());
     } else if (!continues) {
       heading = null;
     }
   }
 
-  /** Goes on with a text around a term that is no item, or that ends. */
+  /** Begins a definition or ends it, behind which the texts around it go on. */
   private void term(TextBlock.Heading found) {
     if (found.text().isEmpty()) {
-      heading = around.remove(around.size() - 1).orElse(null);
-    } else {
-      around.add(Optional.ofNullable(heading));
-      goOn(heading, found.text());
+      Around outside = around.pop();
+      heading = outside.heading();
+      entry = outside.entry();
+      return;
     }
+    if (entry != null && found.level() - RstBlocks.TERM <= entry.depth) {
+      entry = null;
+    }
+    around.push(new Around(heading, entry));
+    Optional<TextIds.Named> named = named(found);
+    if (named.isPresent()) {
+      open(found, named.get());
+    } else {
+      goOn(entry == null ? heading : entry, found.text());
+    }
+  }
+
+  private Optional<TextIds.Named> named(TextBlock.Heading found) {
+    return TextIds.ofHeading(found.text())
+        .filter(it -> isItem(it, kinds.isHeading(it), found.line()));
+  }
+
+  private void open(TextBlock.Heading found, TextIds.Named named) {
+    if (TextIds.isAnother(named)) {
+      reading.unread(
+          "This heading names several ids, and whose text follows is not known.",
+          source.at(found.line(), 1),
+          "Write a heading for each.");
+    }
+    String title = named.text().replaceFirst("^\\s*[-:.|–—]*\\s*", "");
+    heading = new Open(named.id(), title, source.at(found.line(), 1), found.level());
+    entry = null;
+    all.add(heading);
   }
 
   /** Returns whether what follows a heading is no text of a requirement. */
