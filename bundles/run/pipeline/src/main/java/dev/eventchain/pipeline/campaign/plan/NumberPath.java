@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.DecimalNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.documents.Document;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -146,7 +147,7 @@ public final class NumberPath {
     ObjectNode copy = root.deepCopy();
     try {
       Place place = in(copy);
-      return pointer(copy, place.owner()).map(it -> it + "/" + place.key());
+      return pointer(copy, place.owner()).map(it -> Document.below(it, place.key()));
     } catch (WrongPathException e) {
       return Optional.empty();
     }
@@ -164,7 +165,11 @@ public final class NumberPath {
       children.put(String.valueOf(children.size()), each);
     }
     return children.entrySet().stream()
-        .flatMap(each -> pointer(each.getValue(), to).map(it -> "/" + each.getKey() + it).stream())
+        .flatMap(
+            each ->
+                pointer(each.getValue(), to)
+                    .map(it -> Document.below("", each.getKey()) + it)
+                    .stream())
         .findFirst();
   }
 

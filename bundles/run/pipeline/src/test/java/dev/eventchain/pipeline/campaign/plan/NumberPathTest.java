@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.math.BigDecimal;
+import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -39,6 +40,7 @@ class NumberPathTest {
       })
   void aPathLeadsToItsNumber(String path, String pointer) throws Exception {
     ObjectNode file = (ObjectNode) new ObjectMapper().readTree(FILE);
+    assertEquals(Optional.of(pointer), new NumberPath(path).pointer(file));
     new NumberPath(path).in(file).set(new BigDecimal("1234"));
     assertEquals(1234, file.at(pointer).intValue(), file::toString);
   }
