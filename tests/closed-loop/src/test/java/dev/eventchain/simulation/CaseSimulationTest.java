@@ -85,6 +85,8 @@ class CaseSimulationTest {
             Label.ERROR), // the last one is no scenario
         results.stream().map(CaseResult::label).toList(),
         results::toString);
+    assertEquals(
+        List.of(results.get(2)), results.stream().filter(CaseResult::nothingAhead).toList());
     assertTrue(results.get(1).reason().startsWith("the gap is never below 19"), results::toString);
     assertTrue(results.get(7).reason().startsWith("no scenario: At the start, "));
     assertTrue(results.get(6).impactSpeed().isPresent());

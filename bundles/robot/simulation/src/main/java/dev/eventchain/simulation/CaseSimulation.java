@@ -144,12 +144,15 @@ public final class CaseSimulation {
     List<String> open = new ArrayList<>();
     List<String> untested = new ArrayList<>();
     boolean met = false;
+    boolean nothingAhead = false;
     for (CriterionResult each : judge.criteriaWithoutEvidence(run)) {
       Expectation criterion = criterion(run, each);
       if (judge.isUnasked(criterion, run)) {
         continue; // correct software need not come to it
       }
-      Label own = label(criterion, each, run);
+      boolean spared = isSpared(judge, criterion, run);
+      nothingAhead |= spared;
+      Label own = spared ? Label.PASSED : label(each);
       criteria.add(margin(each, own));
       met |= own == Label.PASSED && !criterion.isOfEveryScenario();
       if (own != Label.PASSED) {
@@ -164,14 +167,11 @@ public final class CaseSimulation {
     Label label = !failed.isEmpty() ? Label.FAILED : Label.UNTESTED;
     label = failed.isEmpty() && open.isEmpty() && met ? Label.PASSED : label;
     List<String> reasons = Stream.of(failed, open, untested).flatMap(List::stream).toList();
-    String reason = label == Label.PASSED || reasons.isEmpty() ? "" : reasons.get(0);
-    return result(run, label, reason, criteria);
-  }
-
-  private static CaseResult result(
-      ScenarioRun run, Label label, String reason, List<CriterionMargin> criteria) {
+    boolean passed = label == Label.PASSED;
+    String reason = passed || reasons.isEmpty() ? "" : reasons.get(0);
     double end = run.trace().end().time() / 1e9;
-    return new CaseResult(label, reason, criteria, run.trace().impactSpeed(), end);
+    return new CaseResult(
+        label, reason, criteria, run.trace().impactSpeed(), end, passed && nothingAhead);
   }
 
   private static boolean isUnjudgedImpact(ScenarioRun run) {
@@ -186,15 +186,17 @@ public final class CaseSimulation {
         .orElseThrow();
   }
 
-  /** Returns the outcome of a criterion; where nothing was ahead, there was no impact, either. */
-  private static Label label(Expectation criterion, CriterionResult result, ScenarioRun run) {
+  /** Returns whether there was no impact since nothing was ahead, which holds in a case. */
+  private static boolean isSpared(ScenarioJudge judge, Expectation criterion, ScenarioRun run) {
+    return criterion instanceof Criterion known
+        && known.kind() == CriterionKind.NO_IMPACT
+        && run.trace().impactSpeed().isEmpty()
+        && judge.isOfNothingAhead(criterion, run);
+  }
+
+  private static Label label(CriterionResult result) {
     if (!result.tested()) {
-      boolean noImpact =
-          criterion instanceof Criterion known
-              && known.kind() == CriterionKind.NO_IMPACT
-              && result.measured().equals(Criterion.NOTHING_AHEAD)
-              && run.trace().impactSpeed().isEmpty();
-      return noImpact ? Label.PASSED : Label.UNTESTED;
+      return Label.UNTESTED;
     }
     return result.passed() ? Label.PASSED : Label.FAILED;
   }

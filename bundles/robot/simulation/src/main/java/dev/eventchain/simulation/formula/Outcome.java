@@ -15,7 +15,7 @@ import java.util.OptionalDouble;
  * @param decided the time of what decides it, in s since the start; empty if no single moment does
  * @param otherwise the times next to it at which that is the other way round, in s: at most one
  *     before and one after
- * @param undecided true if it was not tested because the run ended before its time
+ * @param lack why it was not tested
  * @param missing the topics without a current message, because of which it was not tested
  */
 public record Outcome(
@@ -25,8 +25,22 @@ public record Outcome(
     Optional<Margin> margin,
     OptionalDouble decided,
     List<Double> otherwise,
-    boolean undecided,
+    Lack lack,
     List<String> missing) {
+
+  /** A reason why a criterion is not tested. */
+  public enum Lack {
+    /** It is tested. */
+    NONE,
+    /** Its premise never came true. */
+    PREMISE,
+    /** It is about what is ahead, and nothing was. */
+    NOTHING_AHEAD,
+    /** The run ended before its time. */
+    TIME,
+    /** Something that it reads had no value. */
+    VALUE
+  }
 
   /** Copies the lists. */
   public Outcome {
@@ -43,7 +57,7 @@ public record Outcome(
         margin,
         margin.stream().mapToDouble(Margin::time).findFirst(),
         List.of(),
-        false,
+        tested ? Lack.NONE : Lack.PREMISE,
         List.of());
   }
 
@@ -60,7 +74,7 @@ public record Outcome(
         Optional.empty(),
         OptionalDouble.of(decided),
         List.of(),
-        false,
+        Lack.NONE,
         List.of());
   }
 
@@ -70,7 +84,7 @@ public record Outcome(
 
   /** Returns a copy with the times at which what decides it is the other way round, in s. */
   Outcome withOtherwise(List<Double> times) {
-    return new Outcome(tested, passed, detail, margin, decided, times, undecided, missing);
+    return new Outcome(tested, passed, detail, margin, decided, times, lack, missing);
   }
 
   /** Returns whether it was tested and does not hold. */
@@ -78,20 +92,33 @@ public record Outcome(
     return tested && !passed;
   }
 
+  /** Returns whether a run did not decide it, since it ended too early. */
+  public boolean undecided() {
+    return lack == Lack.TIME;
+  }
+
   /** Returns the outcome of a criterion that a run did not decide, since it ended too early. */
   public static Outcome undecided(String why) {
-    return new Outcome(
-        false, false, why, Optional.empty(), OptionalDouble.empty(), List.of(), true, List.of());
+    return untested(why, Lack.TIME, List.of());
+  }
+
+  /** Returns the outcome of a criterion about what is ahead, where nothing was. */
+  public static Outcome nothingAhead() {
+    return untested("nothing ahead", Lack.NOTHING_AHEAD, List.of());
   }
 
   /** Returns the outcome of a criterion that read something without a value. */
   static Outcome valueless(String why, List<String> missing) {
-    return new Outcome(
-        false, false, why, Optional.empty(), OptionalDouble.empty(), List.of(), false, missing);
+    return untested(why, Lack.VALUE, missing);
   }
 
   /** Returns the outcome of a criterion whose premise never came true. */
   public static Outcome untested(String why) {
-    return new Outcome(false, false, why, Optional.empty());
+    return untested(why, Lack.PREMISE, List.of());
+  }
+
+  private static Outcome untested(String why, Lack lack, List<String> missing) {
+    return new Outcome(
+        false, false, why, Optional.empty(), OptionalDouble.empty(), List.of(), lack, missing);
   }
 }

@@ -112,8 +112,7 @@ final class Evidence {
         criterion instanceof Criterion named
             && (named.kind() == CriterionKind.NO_IMPACT
                 || named.kind() == CriterionKind.MAXIMAL_IMPACT_SPEED)
-            && !outcome.tested()
-            && outcome.detail().equals(Criterion.NOTHING_AHEAD)
+            && outcome.lack() == Outcome.Lack.NOTHING_AHEAD
             && without(run).traces().stream().anyMatch(it -> it.impactSpeed().isPresent());
     return avoided ? new Outcome(true, "no impact, but one without the software") : outcome;
   }

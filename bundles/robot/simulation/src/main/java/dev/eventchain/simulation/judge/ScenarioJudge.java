@@ -177,6 +177,11 @@ public final class ScenarioJudge {
         .toList();
   }
 
+  /** Returns whether a criterion was not tested because nothing was ahead. */
+  public boolean isOfNothingAhead(Expectation criterion, ScenarioRun run) {
+    return withoutEvidence(criterion, run).lack() == Outcome.Lack.NOTHING_AHEAD;
+  }
+
   /**
    * Returns whether a criterion applies; those of every scenario need software that commands the
    * vehicle.

@@ -25,9 +25,6 @@ public record Criterion(
     List<String> requirements)
     implements Expectation {
 
-  /** Reason why a criterion about what is ahead was not tested where nothing was. */
-  public static final String NOTHING_AHEAD = "nothing ahead";
-
   /** Copies the list. */
   public Criterion {
     requirements = List.copyOf(requirements);

@@ -15,18 +15,10 @@ final class ImpactRules {
 
   private ImpactRules() {}
 
-  /**
-   * Returns the outcome without a vehicle in the path, where there is nothing to hit and no gap to
-   * keep.
-   */
-  private static Outcome nothingAhead() {
-    return Outcome.untested(Criterion.NOTHING_AHEAD);
-  }
-
   static Outcome noImpact(Trace trace) {
     OptionalDouble impact = trace.impactSpeed();
     if (trace.minimalGap().isEmpty() && impact.isEmpty()) {
-      return nothingAhead();
+      return Outcome.nothingAhead();
     }
     return impact.isPresent()
         ? new Outcome(
@@ -94,13 +86,13 @@ final class ImpactRules {
     OptionalDouble gap = trace.minimalGap();
     return gap.isPresent()
         ? new Outcome(gap.getAsDouble() >= limit, gapText(trace), gapMargin(trace, limit))
-        : nothingAhead();
+        : Outcome.nothingAhead();
   }
 
   static Outcome maximalImpactSpeed(Trace trace, double limit) {
     OptionalDouble impact = trace.impactSpeed();
     if (trace.minimalGap().isEmpty() && impact.isEmpty()) {
-      return nothingAhead();
+      return Outcome.nothingAhead();
     }
     return impact.isPresent()
         ? new Outcome(

@@ -10,13 +10,16 @@ import java.util.OptionalDouble;
  * @param criteria in the order of the scenario
  * @param impactSpeed in m/s; empty without an impact
  * @param end simulated time, in s
+ * @param nothingAhead whether it is passed, and 'no impact' holds since nothing was ahead: that may
+ *     say nothing about the software
  */
 public record CaseResult(
     Label label,
     String reason,
     List<CriterionMargin> criteria,
     OptionalDouble impactSpeed,
-    double end) {
+    double end,
+    boolean nothingAhead) {
 
   /** The outcome in a word. */
   public enum Label {
@@ -35,6 +38,16 @@ public record CaseResult(
    * @param unit of the margin; empty if there is none
    */
   public record CriterionMargin(String name, Label label, OptionalDouble margin, String unit) {}
+
+  /** Creates the result of a case in which something was ahead, or no criterion is about that. */
+  public CaseResult(
+      Label label,
+      String reason,
+      List<CriterionMargin> criteria,
+      OptionalDouble impactSpeed,
+      double end) {
+    this(label, reason, criteria, impactSpeed, end, false);
+  }
 
   public CaseResult {
     criteria = List.copyOf(criteria);

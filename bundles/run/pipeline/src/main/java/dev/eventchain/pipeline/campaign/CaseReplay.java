@@ -54,12 +54,14 @@ final class CaseReplay {
                   SourceLocation.of(plan.file()))
               .withHint("Run the campaign without --case first: its table has the numbers."));
     }
-    CampaignCase id = rows.get(number - 1).id();
+    CampaignRow row = rows.get(number - 1);
+    CampaignCase id = row.id();
     String folder = "case-" + number;
     byte[] text = template.text(id, store.path(folder)).getBytes(StandardCharsets.UTF_8);
     store.write(folder + "/scenario.yaml", text);
     SimulationResult result = simulate(template.of(id), folder);
     StringBuilder words = new StringBuilder("case " + number + ": " + id.words(plan) + "\n");
+    words.append(row.words()).append('\n');
     for (CriterionResult each : result.verdicts().get(0).criteria()) {
       String word = each.tested() ? (each.passed() ? "passed" : "FAILED") : "-";
       words.append("%-6s  %s: %s%n".formatted(word, each.text(), each.measured()));

@@ -1,6 +1,8 @@
 package dev.eventchain.pipeline.campaign;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -9,12 +11,16 @@ import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
 import dev.eventchain.pipeline.campaign.result.CampaignRow;
 import dev.eventchain.pipeline.campaign.result.CampaignSummary;
+import dev.eventchain.pipeline.campaign.result.CampaignTable;
 import dev.eventchain.simulation.verdict.CaseResult;
+import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.io.IOException;
 import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -22,6 +28,29 @@ import org.junit.jupiter.api.io.TempDir;
 class CampaignSummaryTest {
 
   @TempDir Path folder;
+
+  /** There was no impact, as without any software. */
+  @Test
+  void thatNothingWasAheadIsSaid() throws IOException {
+    String text = "scenario: s\nfactors: {f: {path: p, values: [1, 2]}}\n";
+    CampaignPlan plan =
+        CampaignReader.read(Files.writeString(folder.resolve("a.yaml"), text)).get(0);
+    List<CampaignRow> rows = List.of(row(1, false), row(2, true));
+    CampaignSummary summary = new CampaignSummary(plan, rows);
+    assertTrue(summary.text().contains("\n1 of the passed had nothing ahead: "), summary.text());
+    assertEquals("no impact: nothing was ahead", summary.trials().get(1).text());
+    String table = new String(new CampaignTable(plan.names(), rows).csv(), StandardCharsets.UTF_8);
+    assertEquals(
+        List.of("1,1,1,passed,,1.0,", "2,2,1,passed,,1.0,no impact: nothing was ahead"),
+        table.lines().skip(1).toList());
+    assertFalse(new CampaignSummary(plan, rows.subList(0, 1)).text().contains("ahead"));
+  }
+
+  private static CampaignRow row(int value, boolean nothingAhead) {
+    return new CampaignRow(
+        new CampaignCase(List.of(BigDecimal.valueOf(value)), 1),
+        new CaseResult(Label.PASSED, "", List.of(), OptionalDouble.empty(), 1, nothingAhead));
+  }
 
   /** The reason of an error is a sentence of its own, and the one of a criterion is none. */
   @Test

@@ -38,6 +38,7 @@ public final class CampaignPage {
       .map th { font-weight: normal; padding: 0 .4rem; text-align: right; }
       .map thead th { text-align: center; }
       .passed { background: #2e7d4f; color: #fff; }
+      .passed.spared { background: #9cc9ab; }
       .failed { background: #b3362e; color: #fff; }
       .mixed { background: #d9a441; color: #000; }
       .untested { background: repeating-linear-gradient(45deg, #888 0 3px, #bbb 3px 6px); }
@@ -97,6 +98,9 @@ public final class CampaignPage {
     points.ifPresent(it -> figure("Points", it.total()));
     raw("</dl>\n");
     points.ifPresent(it -> add("<p class=\"muted\">Points: %s.</p>\n", it.note()));
+    if (!summary.ofNothingAhead().isEmpty()) {
+      add("<p>%s.</p>\n", summary.ofNothingAhead());
+    }
   }
 
   private void figure(String name, Object value) {
@@ -155,6 +159,7 @@ public final class CampaignPage {
     raw(
         "<p class=\"muted\">Each cell has the cases that did not pass, of all with these values; the");
     raw(" others differ in the other factors.");
+    raw(summary.ofNothingAhead().isEmpty() ? "" : " Nothing was ahead in what is a lighter green.");
     raw(points.isPresent() ? " A cell of one case has its points.</p>\n" : "</p>\n");
     raw("<div class=\"scroll\"><table class=\"map\"><thead><tr><th></th>");
     across.forEach(value -> add("<th>%s</th>", value.toPlainString()));
@@ -194,7 +199,11 @@ public final class CampaignPage {
       add("<td class=\"%s\" title=\"%s\">", kind(cases.get(0)), title);
       add("%s</td>", points.get().of(index));
     } else if (passed == cases.size()) {
-      raw("<td class=\"passed\" title=\"passed\"></td>");
+      boolean spared = cases.stream().allMatch(row -> row.result().nothingAhead());
+      raw(
+          spared
+              ? "<td class=\"passed spared\" title=\"passed: nothing was ahead\"></td>"
+              : "<td class=\"passed\" title=\"passed\"></td>");
     } else if (untested == cases.size()) {
       raw("<td class=\"untested\" title=\"not tested\"></td>");
     } else {

@@ -16,6 +16,16 @@ public record CampaignRow(CampaignCase id, CaseResult result) {
     return result.label().name().toLowerCase(Locale.ROOT);
   }
 
+  /** Returns why it is not passed, or what may be misread if it is; empty if there is nothing. */
+  String reason() {
+    return result.nothingAhead() ? "no impact: nothing was ahead" : result.reason();
+  }
+
+  /** Returns the verdict with its reason. */
+  public String words() {
+    return words(result.label()) + (reason().isEmpty() ? "" : " (" + reason() + ")");
+  }
+
   /** Returns a verdict for people. */
   static String words(CaseResult.Label label) {
     return switch (label) {

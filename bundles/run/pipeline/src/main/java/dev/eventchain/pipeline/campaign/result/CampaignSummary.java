@@ -131,7 +131,7 @@ public final class CampaignSummary {
       String name = plan.name() + ": " + row.id().words(plan);
       CaseResult result = row.result();
       String text =
-          Stream.of(result.reason(), points.map(it -> it.words(index)).orElse(""))
+          Stream.of(row.reason(), points.map(it -> it.words(index)).orElse(""))
               .filter(words -> !words.isEmpty())
               .collect(Collectors.joining("; "));
       Map<String, String> figures = points.map(it -> it.figures(index)).orElse(Map.of());
@@ -140,6 +140,18 @@ public final class CampaignSummary {
               .withFigures(figures));
     }
     return trials;
+  }
+
+  /** Returns what is easily misread about the cases that passed; empty if nothing is. */
+  String ofNothingAhead() {
+    long count = rows.stream().filter(row -> row.result().nothingAhead()).count();
+    return count == 0
+        ? ""
+        : String.format(
+            Locale.ROOT,
+            "%d of the passed had nothing ahead: there is no impact then, which may say nothing about"
+                + " the software",
+            count);
   }
 
   /** Returns what is said about the boundary, if one is searched. */
@@ -196,6 +208,7 @@ public final class CampaignSummary {
                 count(Label.FAILED),
                 count(Label.UNTESTED),
                 count(Label.ERROR)));
+    text.append(ofNothingAhead().isEmpty() ? "" : ofNothingAhead() + "\n");
     boundary().ifPresent(it -> text.append(text(it)));
     Optional<CampaignPoints> points = CampaignPoints.of(plan, rows);
     points.ifPresent(it -> text.append("points: %s (%s)%n".formatted(it.total(), it.note())));

@@ -77,7 +77,7 @@ public final class CampaignTable {
               .findFirst()
               .orElse(""));
     }
-    cells.add(result.reason());
+    cells.add(row.reason());
     return cells;
   }
 
