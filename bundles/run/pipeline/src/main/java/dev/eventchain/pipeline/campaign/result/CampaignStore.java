@@ -105,8 +105,7 @@ public final class CampaignStore implements AutoCloseable {
    * @param others files that are of the same inputs as the table
    */
   public void begin(String... others) {
-    boolean same =
-        output.read(CASES).flatMap(CampaignStore::read).filter(empty::isLike).isPresent();
+    boolean same = kept(CASES).isPresent();
     if (!same) {
       RESULTS.forEach(output::remove);
       List.of(others).forEach(output::removeAll);
@@ -126,10 +125,18 @@ public final class CampaignStore implements AutoCloseable {
   }
 
   private boolean recall(String name) {
-    Optional<Cases> known = output.read(name).flatMap(CampaignStore::read);
-    Optional<Cases> same = known.filter(empty::isLike);
+    Optional<Cases> same = kept(name);
     same.ifPresent(it -> it.rows().forEach(row -> rows.put(row.id(), row)));
     return same.isPresent();
+  }
+
+  /**
+   * Returns the cases of these inputs in a file, unless somebody else has written or changed it.
+   */
+  private Optional<Cases> kept(String name) {
+    return output.hasRecords() && output.isEdited(name)
+        ? Optional.empty()
+        : output.read(name).flatMap(CampaignStore::read).filter(empty::isLike);
   }
 
   /** Returns the cases in a file; empty if it is another or a broken file. */
@@ -170,7 +177,9 @@ public final class CampaignStore implements AutoCloseable {
    */
   public synchronized void save() {
     if (!unsaved.isEmpty() && unchanged.getAsBoolean()) {
-      write(part(++parts), ResultJson.bytes(empty.with(unsaved, false)));
+      // Counted once it is there: behind a gap, nobody would look for it.
+      write(part(parts + 1), ResultJson.bytes(empty.with(unsaved, false)));
+      parts++;
       unsaved.clear();
     }
   }
