@@ -61,14 +61,14 @@ final class SituationReader {
 
   Situation read() {
     Optional<ObjectReader> part = section.requiredObject("ego");
-    EgoVehicle ego = part.map(it -> ego(it, bench.vehicle())).orElse(bench.vehicle());
+    Road road = section.object("road").map(SituationReader::road).orElse(Road.straight());
+    EgoVehicle ego = part.map(it -> ego(it, bench.vehicle(), road)).orElse(bench.vehicle());
     double offset = ego.chassis().offset();
     HumanDriver driver =
         part.map(it -> reader.driver(it, ego.speed(), offset))
             .orElse(Situation.straight(ego, List.of()).driver());
     part.ifPresent(it -> refuseSteps(it, ego));
     part.ifPresent(ObjectReader::refuseOthers);
-    Road road = section.object("road").map(SituationReader::road).orElse(Road.straight());
     List<Actor> actors = reader.read(section);
     refuseOverlap(actors, ego, road);
     CircumstancesReader circumstances =
@@ -158,12 +158,12 @@ final class SituationReader {
     return Road.bend(radius.isPresent() ? 1.0 / radius.getAsDouble() : 0.0, width);
   }
 
-  private static EgoVehicle ego(ObjectReader section, EgoVehicle usual) {
+  private static EgoVehicle ego(ObjectReader section, EgoVehicle usual, Road road) {
     double speed =
         section.requiredNumber("speed_kmh", ManeuversReader.SPEED_KMH) * ActorsReader.KMH;
-    return VehicleReader.read(section, usual, speed, ScenarioRules.VALUE_RANGE)
-        .placed(
-            VehicleReader.number(section, "lateral_offset_m", 0, -6, 6),
-            VehicleReader.radians(section, "heading_deg", 0, -45, 45));
+    EgoVehicle ego = VehicleReader.read(section, usual, speed, ScenarioRules.VALUE_RANGE);
+    double offset = VehicleReader.number(section, "lateral_offset_m", 0, -6, 6);
+    double along = ego.steadyHeading(road.curvature(0.0), offset);
+    return ego.placed(offset, VehicleReader.radians(section, "heading_deg", along, -45, 45));
   }
 }

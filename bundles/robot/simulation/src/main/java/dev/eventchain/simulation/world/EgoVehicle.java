@@ -95,6 +95,19 @@ public record EgoVehicle(
     return chassis.wheelbase() + shape.frontOverhang();
   }
 
+  /**
+   * Returns the heading, relative to the road at the front bumper, with which it goes steadily
+   * through a bend: its rear axle moves along the road, and its bumper is ahead of that on a larger
+   * circle about the same centre.
+   *
+   * @param bend curvature of the road, in 1/m, to the left is positive
+   * @param offset of the bumper to the left of the lane's centre, in m
+   */
+  public double steadyHeading(double bend, double offset) {
+    double sine = axleToBumper() * bend / (1.0 - bend * offset);
+    return 0.0 - StrictMath.asin(Math.max(-1.0, Math.min(1.0, sine)));
+  }
+
   /** Ground clearance, in m: it drives over lower objects. */
   static final double CLEARANCE = 0.15;
 

@@ -264,8 +264,9 @@ public final class World {
       Road.Station station = station();
       // At the rear axle, which follows the bend, the heading of the road lags behind that at the
       // bumper.
-      double behind = road().curvature(station.along()) * situation.ego().axleToBumper();
-      double heading = heading(station) + behind;
+      double bend = road().curvature(station.along());
+      double steady = situation.ego().steadyHeading(bend, station.across());
+      double heading = heading(station) - steady;
       ego.steer(driver.curvature(road(), station, heading, ego.speed(), seconds(now)));
     }
   }

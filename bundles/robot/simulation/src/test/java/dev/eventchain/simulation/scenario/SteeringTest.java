@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.sensor.Lidar;
 import dev.eventchain.simulation.sensor.RoadScene;
 import dev.eventchain.simulation.world.Actor;
@@ -99,6 +101,31 @@ class SteeringTest {
     behind.command(0, steer(-0.1));
     behind.advanceTo(2 * SECOND);
     assertTrue(behind.impacted());
+  }
+
+  /** Its rear axle is on a circle about the centre of the bend from the start, 3.6 m behind. */
+  @ParameterizedTest
+  @CsvSource({"50, 0", "-50, 0", "50, 1", "-400, -0.5"})
+  void beginsSteadilyInABend(double radius, double offset) {
+    String text =
+        """
+        name: bend
+        title: A bend
+        duration_s: 3
+        road: {curve_radius_m: %s}
+        ego: {speed_kmh: 36, lateral_offset_m: %s, driver_steers: true}
+        accept: {never_brakes: true}
+        """
+            .formatted(radius, offset);
+    Scenario scenario = Scenario.parse(SourceText.of("bend.yaml", text), Bench.carla());
+    World world = new World(scenario.situation(), new Trace(Map.of(), scenario.situation().road()));
+    world.advanceTo(2 * SECOND);
+    double front = Math.abs(radius - offset);
+    double rate = Math.signum(radius) * 10 / Math.sqrt(front * front - 3.6 * 3.6);
+    for (Trace.State state : world.trace().states()) {
+      assertEquals(rate, state.pose().yawRate(), Math.abs(rate) * 4e-3);
+      assertEquals(offset, state.pose().offset(), 2e-3);
+    }
   }
 
   @Test
