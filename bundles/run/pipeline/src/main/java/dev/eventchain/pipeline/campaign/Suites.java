@@ -67,6 +67,7 @@ public final class Suites {
                   "beside-bicycle",
                   "beside-pedestrian",
                   "crossing-bicycle",
+                  "crossing-bicycle.xosc",
                   "crossing-pedestrian"),
               "euro-ncap-2026-ccr",
               new Known(

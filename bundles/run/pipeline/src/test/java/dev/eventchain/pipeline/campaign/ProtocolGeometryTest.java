@@ -1,10 +1,15 @@
 package dev.eventchain.pipeline.campaign;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -48,6 +53,26 @@ class ProtocolGeometryTest {
     }
   }
 
+  /** Asserts likewise of a bicyclist, and where it begins, and that nothing hides it. */
+  private void assertCrosses(String part, int side, double pace) {
+    for (SuiteCases.Case each : SuiteCases.of("euro-ncap-2023-vru", part, folder)) {
+      String words = each.words();
+      double speed = each.values().values().get(0).doubleValue() / 3.6;
+      World world = new World(each.situation(), new Trace(Map.of(), each.situation().road()));
+      Actor other = world.actors().get(0);
+      assertEquals(side * (VULNERABLE * pace + CRANK), other.across(0), CLOSE, words);
+      assertFalse(each.situation().road().isFurnished(), words);
+      world.advanceTo(World.nanoseconds(VULNERABLE - 0.01));
+      assertTrue(world.trace().impactSpeed().isEmpty(), words);
+      world.advanceTo(World.nanoseconds(VULNERABLE + 1));
+      assertEquals(
+          StrictMath.hypot(speed, pace), world.trace().impactSpeed().orElseThrow(), CLOSE, words);
+      double met = other.across(VULNERABLE) - side * CRANK;
+      assertEquals(0, met, CLOSE, words);
+      assertEquals(VULNERABLE * speed, other.rear(VULNERABLE), CLOSE, words);
+    }
+  }
+
   private static double part(CampaignCase each) {
     return WIDTH * (each.values().get(1).doubleValue() - 50) / 100;
   }
@@ -60,10 +85,11 @@ class ProtocolGeometryTest {
     assertMet("euro-ncap-2023-vru", "cpla", VULNERABLE, 0, each -> 0);
   }
 
+  /** They cross a plane, from the right with 15 km/h and from the left with 20 km/h. */
   @Test
   void bicyclistsAreMetInTheMiddle() {
-    assertMet("euro-ncap-2023-vru", "cbna", VULNERABLE, CRANK, each -> 0);
-    assertMet("euro-ncap-2023-vru", "cbfa", VULNERABLE, CRANK, each -> 0);
+    assertCrosses("cbna", -1, 15 / 3.6);
+    assertCrosses("cbfa", 1, 20 / 3.6);
     assertMet("euro-ncap-2023-vru", "cbla", VULNERABLE, 0, each -> 0);
   }
 
