@@ -68,7 +68,10 @@ final class ComponentCheck {
                     "State the type of its field as the message definition writes it."));
   }
 
-  /** While inputs are too old, a message is published only with a safe value for all its fields. */
+  /**
+   * While inputs are too old, a message is published only with a safe value for all its fields. An
+   * array cannot have one, so that nothing better could be answered about a message with one.
+   */
   private void safeValues(Component component) {
     if (existing.contains(component.name())) {
       return;
@@ -77,7 +80,9 @@ final class ComponentCheck {
       List<Value> safe = port.values().stream().filter(Value::isSafe).toList();
       List<String> others =
           port.values().stream().filter(value -> !value.isSafe()).map(Value::name).toList();
-      if (!safe.isEmpty() && !others.isEmpty()) {
+      boolean canBeComplete =
+          port.values().stream().noneMatch(value -> value.fieldType().endsWith("]"));
+      if (!safe.isEmpty() && !others.isEmpty() && canBeComplete) {
         findings.add(
             ChainRules.SAFE_VALUE,
             safe.get(0).pointer(),
