@@ -41,12 +41,16 @@ public final class ValueNames {
                         .toList())
             .orElse(List.of());
     return stated.isEmpty()
-        ? signal.map(it -> constants(it.messageType(), path)).orElse(List.of())
+        ? signal.map(it -> constants(it, path)).orElse(List.of())
         : stated;
   }
 
-  private List<String> constants(String type, String path) {
-    return messages.find(type).map(it -> FieldConstants.of(it, path)).orElse(List.of()).stream()
+  private List<String> constants(Signal signal, String path) {
+    return messages
+        .find(signal.messageType())
+        .map(it -> FieldConstants.of(it, path, field -> signal.field(field).map(Signal.Field::unit)))
+        .orElse(List.of())
+        .stream()
         .map(ValueNames::name)
         .toList();
   }

@@ -214,7 +214,7 @@ final class BenchCheck {
   }
 
   /** Returns whether a field is the time stamp of a header, which is set automatically. */
-  private static boolean isStamp(String path) {
+  static boolean isStamp(String path) {
     return STAMPS.stream().anyMatch(stamp -> path.endsWith("header." + stamp));
   }
 

@@ -187,6 +187,7 @@ final class BenchProposal {
     List<Field> single =
         signal.fields().stream()
             .filter(field -> objects.isEmpty() || !isList(signal, field))
+            .filter(field -> !BenchCheck.isStamp(field.path()))
             .toList();
     List<String> fields = new ArrayList<>();
     for (Field field : single) {

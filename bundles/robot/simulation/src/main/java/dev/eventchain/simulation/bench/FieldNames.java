@@ -11,6 +11,7 @@ import dev.eventchain.simulation.formula.NamedValues;
 import dev.eventchain.simulation.sensor.Listed;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 
 /**
@@ -54,7 +55,17 @@ final class FieldNames {
     }
     List<NamedValues.Value> names =
         values.names().stream().map(it -> new NamedValues.Value(it.name(), it.number())).toList();
-    return names.isEmpty() ? constants(message.get(), path) : NamedValues.ofNumbers(names);
+    return names.isEmpty()
+        ? constants(message.get(), path, it -> unit(declared, topic, it))
+        : NamedValues.ofNumbers(names);
+  }
+
+  /** Returns the unit that is stated for a field, if it is described. */
+  private static Optional<String> unit(DeclaredSignals declared, String topic, String path) {
+    return declared
+        .find(topic)
+        .flatMap(signal -> signal.field(path))
+        .map(dev.eventchain.model.Signal.Field::unit);
   }
 
   /** Returns the names of a field of the messages in a list: constants of these. */
@@ -90,9 +101,10 @@ final class FieldNames {
   }
 
   /** Returns the constants of a message that name values of a field. */
-  private static NamedValues constants(Optional<MessageType> message, String path) {
+  private static NamedValues constants(
+      Optional<MessageType> message, String path, Function<String, Optional<String>> units) {
     List<MessageType.Constant> found =
-        message.map(it -> FieldConstants.of(it, path)).orElse(List.of());
+        message.map(it -> FieldConstants.of(it, path, units)).orElse(List.of());
     boolean isText = found.stream().anyMatch(it -> it.type().kind() == FieldType.Kind.STRING);
     return isText
         ? NamedValues.ofTexts(found.stream().map(it -> it.value().toString()).toList())

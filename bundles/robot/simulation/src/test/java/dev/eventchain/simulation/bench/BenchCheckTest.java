@@ -1,6 +1,7 @@
 package dev.eventchain.simulation.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
@@ -108,6 +109,23 @@ class BenchCheckTest {
     assertTrue(heat.contains("#     my.data: {unit: \"K\", value: 0}\n"), heat);
     String ticks = proposal("std_msgs/msg/Float32", "float32", "tick\nx: 1");
     assertTrue(ticks.contains("#     my.data: {value: 0}\n"), ticks);
+  }
+
+  @Test
+  void proposalsDoNotAskForStampsThatAreSetByThemselves() {
+    Field stamp = new Field("header.stamp", "", "", SourceLocation.NONE);
+    Field range = new Field("range", "float32", "m", SourceLocation.NONE);
+    Signal signal =
+        new Signal(
+            "/parking/range",
+            "sensor_msgs/msg/Range",
+            Direction.PROVIDED,
+            Optional.empty(),
+            List.of(stamp, range),
+            SourceLocation.NONE);
+    String proposal = Bench.proposal(List.of(signal), MESSAGES, Map.of());
+    assertTrue(proposal.contains("      range: "), proposal);
+    assertFalse(proposal.contains("stamp"), proposal);
   }
 
   private static String proposal(String message, String type, String unit) {

@@ -37,7 +37,9 @@ class FieldNamesTest {
                 "std_msgs/msg/UInt8",
                 new Values(NONE, NONE, List.of(), List.of(new NamedNumber("Reverse", 7)))),
             signal("/free", "std_msgs/msg/String", Values.ANY),
-            signal("/door", "demo_msgs/msg/GarageGate", Values.ANY)),
+            signal("/door", "demo_msgs/msg/GarageGate", Values.ANY),
+            sign("/sign", "km/h"),
+            sign("/bare", "")),
         MessageCatalog.of(List.of(Path.of("src/test/resources/benches/msg"))));
   }
 
@@ -45,6 +47,20 @@ class FieldNamesTest {
     Field field = new Field("data", "", "", values, SourceLocation.NONE);
     return new Signal(
         topic, type, Direction.PROVIDED, Optional.empty(), List.of(field), SourceLocation.NONE);
+  }
+
+  private static Signal sign(String topic, String unit) {
+    List<Field> fields =
+        List.of(
+            new Field("kind", "uint8", "", SourceLocation.NONE),
+            new Field("limit", "uint8", unit, SourceLocation.NONE));
+    return new Signal(
+        topic,
+        "demo_msgs/msg/TrafficSign",
+        Direction.PROVIDED,
+        Optional.empty(),
+        fields,
+        SourceLocation.NONE);
   }
 
   @ParameterizedTest
@@ -61,6 +77,9 @@ class FieldNamesTest {
         "/door.colour | texts [red 0.0, green 1.0]",
         "/door.sides  | unknown",
         "/door.share  | numbers []",
+        "/sign.kind   | numbers [NOTHING 0.0, LIMIT 1.0, END_OF_LIMIT 2.0]",
+        "/sign.limit  | numbers []",
+        "/bare.limit  | numbers [NOTHING 0.0, LIMIT 1.0, END_OF_LIMIT 2.0]",
       })
   void namesAreThoseOfTheCatalogueOrOfTheMessage(String signal, String expected) {
     String found = BENCH.signals().find(signal).map(it -> described(it.named())).orElse("unknown");
