@@ -206,7 +206,7 @@ class ProjectAnswersTest {
         """;
     List<String> words = new ArrayList<>();
     for (SemanticToken each : analysis(SCENARIO, Optional.of(text)).tokens()) {
-      String line = text.split("\n")[each.line()];
+      String line = text.lines().toList().get(each.line());
       words.add(line.substring(each.column(), each.column() + each.length()) + " " + each.kind());
     }
     assertEquals(
@@ -313,7 +313,7 @@ class ProjectAnswersTest {
     if (labels == null) {
       assertFalse(found.contains("ttc"), found.toString());
     } else {
-      assertTrue(found.containsAll(List.of(labels.split(", "))), found.toString());
+      assertTrue(found.containsAll(List.of(labels.split(", ", -1))), found.toString());
     }
   }
 
