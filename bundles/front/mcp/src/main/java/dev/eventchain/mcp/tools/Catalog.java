@@ -55,7 +55,6 @@ public final class Catalog {
     boolean reads = tool.effect() == Tool.Effect.READS;
     McpSchema.ToolAnnotations annotations =
         McpSchema.ToolAnnotations.builder()
-            .title(tool.title())
             .readOnlyHint(reads)
             .destructiveHint(tool.effect() == Tool.Effect.CHANGES)
             .idempotentHint(reads)
@@ -83,7 +82,9 @@ public final class Catalog {
     Map<String, Object> schema = new LinkedHashMap<>();
     schema.put("type", "object");
     schema.put("properties", properties);
-    schema.put("required", required);
+    if (!required.isEmpty()) {
+      schema.put("required", required);
+    }
     return schema;
   }
 

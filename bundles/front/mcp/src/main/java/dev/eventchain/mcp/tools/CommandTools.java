@@ -20,7 +20,7 @@ final class CommandTools {
       Parameter.of(
           "project",
           ArgumentType.TEXT,
-          "The project's folder, relative to the server's. Default: the server's folder itself.");
+          "The project's folder below the server's. Default: the server's own.");
 
   private static final Parameter SCENARIOS =
       Parameter.of(

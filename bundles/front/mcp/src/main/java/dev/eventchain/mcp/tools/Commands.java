@@ -54,22 +54,13 @@ final class Commands {
 
   private static Map<String, Object> output() {
     Map<String, Object> properties = new LinkedHashMap<>(plainOutput());
+    properties.put("verdict", Map.of("enum", List.of("PASSED", "FAILED", "INCOMPLETE")));
     properties.put(
-        "verdict",
-        Map.of(
-            "enum",
-            List.of("PASSED", "FAILED", "INCOMPLETE"),
-            "description",
-            "The verdict, if the command came to one."));
-    properties.put(
-        "report", Map.of("type", "object", "description", "The report that --format json writes."));
+        "report", Map.of("type", "object", "description", "As --format json writes it."));
     properties.put(
         "leftOut",
         Map.of(
-            "type",
-            "integer",
-            "description",
-            "How many entries of the report's lists, above all findings, were left out."));
+            "type", "integer", "description", "Entries of the report's lists that were left out."));
     return properties;
   }
 

@@ -29,8 +29,8 @@ final class ResultTools {
           "items",
           Map.of("type", "string"),
           "description",
-          "Files of the project that were changed after these results were written; unless this is"
-              + " empty, the results are not about the project as it is now.");
+          "Files changed after these results were written: unless it is empty, the results are not"
+              + " about the project as it is now.");
 
   private final Boundary boundary;
 

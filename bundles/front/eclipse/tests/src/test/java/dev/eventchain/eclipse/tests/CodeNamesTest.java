@@ -7,6 +7,7 @@ import static dev.eventchain.eclipse.tests.TextEditors.document;
 import static dev.eventchain.eclipse.tests.TextEditors.viewer;
 import static dev.eventchain.eclipse.tests.TextEditors.widget;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -153,6 +154,31 @@ class CodeNamesTest {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  /** The changes were found for another text: no file is changed, not even those that fit. */
+  @Test
+  void nothingIsRenamedIfAFileHasChangedMeanwhile() throws Exception {
+    project.write("base.mtl", BASE);
+    TextEditor editor = Workbench.open(project.write("main.mtl", MAIN));
+    execute(editor, "rename", MAIN.indexOf("line(node)"));
+    Workbench.waitUntil("the question", () -> find(shell("Rename"), Text.class).isPresent());
+    Workbench.run(
+        () -> {
+          find(shell("Rename"), Text.class).orElseThrow().setText("entry");
+          return editor;
+        });
+    press("Rename", "OK");
+    assertEquals(2, rows("Rename").size());
+    project.write("base.mtl", BASE + "\n");
+    press("Rename", "OK");
+    Workbench.waitUntil(
+        "the reason",
+        () -> shell("Rename").isPresent() && find(shell("Rename"), Table.class).isEmpty());
+    press("Rename", "OK");
+    assertEquals(MAIN, Workbench.run(() -> document(editor).get()));
+    assertFalse(Workbench.run(editor::isDirty));
+    assertEquals(BASE + "\n", project.text("base.mtl"));
   }
 
   @Test
