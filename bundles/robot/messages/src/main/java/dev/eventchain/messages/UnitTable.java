@@ -60,7 +60,8 @@ final class UnitTable {
           Map.entry("hecto", "h"),
           Map.entry("kilo", "k"),
           Map.entry("mega", "M"),
-          Map.entry("giga", "G"));
+          Map.entry("giga", "G"),
+          Map.entry("tera", "T"));
 
   private static final Map<String, String> WORDS =
       Map.ofEntries(

@@ -47,6 +47,7 @@ class UnitTest {
     "hertz, Hz",
     "kilograms, kg",
     "millivolts, mV",
+    "terawatts, TW",
     "meters/second, m/s",
     "celsius, degC",
   })
