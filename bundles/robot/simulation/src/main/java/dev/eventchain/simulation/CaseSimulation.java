@@ -14,7 +14,6 @@ import dev.eventchain.simulation.node.NodePackage;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.run.ScenarioRunner;
 import dev.eventchain.simulation.scenario.Criterion;
-import dev.eventchain.simulation.scenario.CriterionKind;
 import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.CaseResult;
@@ -138,7 +137,7 @@ public final class CaseSimulation {
    * met, none failed and none was left open. Where the premise of another one never came true, this
    * case is none of it.
    */
-  private static CaseResult judged(ScenarioJudge judge, ScenarioRun run) {
+  static CaseResult judged(ScenarioJudge judge, ScenarioRun run) {
     List<CriterionMargin> criteria = new ArrayList<>();
     List<String> failed = new ArrayList<>();
     List<String> open = new ArrayList<>();
@@ -189,7 +188,7 @@ public final class CaseSimulation {
   /** Returns whether there was no impact since nothing was ahead, which holds in a case. */
   private static boolean isSpared(ScenarioJudge judge, Expectation criterion, ScenarioRun run) {
     return criterion instanceof Criterion known
-        && known.kind() == CriterionKind.NO_IMPACT
+        && known.limitsImpacts()
         && run.trace().impactSpeed().isEmpty()
         && judge.isOfNothingAhead(criterion, run);
   }

@@ -110,8 +110,7 @@ final class Evidence {
   Outcome withAvoided(Expectation criterion, ScenarioRun run, Outcome outcome) {
     boolean avoided =
         criterion instanceof Criterion named
-            && (named.kind() == CriterionKind.NO_IMPACT
-                || named.kind() == CriterionKind.MAXIMAL_IMPACT_SPEED)
+            && named.limitsImpacts()
             && outcome.lack() == Outcome.Lack.NOTHING_AHEAD
             && without(run).traces().stream().anyMatch(it -> it.impactSpeed().isPresent());
     return avoided ? new Outcome(true, "no impact, but one without the software") : outcome;

@@ -226,7 +226,9 @@ public final class ScenarioJudge {
       return other.get();
     }
     Outcome outcome = criterion.judge(run.trace());
-    return outcome.passed() ? unlessItEndedEarly(criterion, run).orElse(outcome) : outcome;
+    return outcome.passed() || outcome.lack() == Outcome.Lack.NOTHING_AHEAD
+        ? unlessItEndedEarly(criterion, run).orElse(outcome)
+        : outcome;
   }
 
   /** Returns untested if too little happened for a criterion that was not violated. */

@@ -25,6 +25,11 @@ public record Criterion(
     List<String> requirements)
     implements Expectation {
 
+  /** Returns whether it asks for no impact, or for none that is faster than a speed. */
+  public boolean limitsImpacts() {
+    return kind == CriterionKind.NO_IMPACT || kind == CriterionKind.MAXIMAL_IMPACT_SPEED;
+  }
+
   /** Copies the list. */
   public Criterion {
     requirements = List.copyOf(requirements);

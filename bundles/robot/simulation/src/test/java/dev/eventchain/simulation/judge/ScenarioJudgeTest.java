@@ -99,7 +99,8 @@ class ScenarioJudgeTest {
     return judge.criteria(braking(read), true);
   }
 
-  private static final String NEVER = "never began: that of car 1 when ego.speed > 99 m/s";
+  private static final String NEVER =
+      "a maneuver never began: that of car 1 when ego.speed > 99 m/s";
 
   /** Brakes at once before a car that waits for something. */
   private List<CriterionResult> brakingWhile(String optional, String when) throws Exception {
@@ -222,27 +223,57 @@ class ScenarioJudgeTest {
     assertEquals(List.of("nothing ahead"), ofOncoming("no_impact: true", 0));
   }
 
+  /** Who waits for something that never comes may be what there is to hit. */
+  @Test
+  void nothingAheadIsNoTestEitherWhereAManeuverNeverBegan() throws Exception {
+    String waiting =
+        """
+        duration_s: 8
+        actors:
+          - gap_m: 120
+            speed_kmh: 50
+            lateral_offset_m: 3.5
+            heading_deg: 180
+            maneuvers: [{when: ego.speed > 99 m/s, lateral_offset_m: 0}]
+        """;
+    for (double aside : new double[] {0, 3.5}) {
+      Scenario read = oncoming("no_impact: true", aside, waiting);
+      assertEquals(List.of(NEVER), measured(judge(read).criteria(braking(read), true)));
+      assertEquals(List.of(NEVER), measured(judge(read).criteriaWithoutEvidence(braking(read))));
+    }
+  }
+
   /** Judges a car that stops at once, and would move aside to where another one comes. */
   private List<String> ofOncoming(String criterion, double aside) throws Exception {
     Scenario read =
-        Scenario.parse(
-            SourceText.of(
-                "s.yaml",
-                """
-                name: oncoming
-                title: An oncoming car
-                requirements: [AEB-1]
-                duration_s: 8
-                ego: {speed_kmh: 50, maneuvers: [{at_s: 1, lateral_offset_m: %s}]}
-                actors: [{gap_m: 120, speed_kmh: 50, lateral_offset_m: 3.5, heading_deg: 180}]
-                accept: {%s}
-                """
-                    .formatted(aside, criterion)),
-            Bench.carla());
-    return judge(read).criteria(braking(read), true).stream()
-        .limit(1)
-        .map(CriterionResult::measured)
-        .toList();
+        oncoming(
+            criterion,
+            aside,
+            """
+            duration_s: 8
+            actors: [{gap_m: 120, speed_kmh: 50, lateral_offset_m: 3.5, heading_deg: 180}]
+            """);
+    return measured(judge(read).criteria(braking(read), true));
+  }
+
+  private static List<String> measured(List<CriterionResult> criteria) {
+    return criteria.stream().limit(1).map(CriterionResult::measured).toList();
+  }
+
+  private static Scenario oncoming(String criterion, double aside, String others) {
+    return Scenario.parse(
+        SourceText.of(
+            "s.yaml",
+            """
+            name: oncoming
+            title: An oncoming car
+            requirements: [AEB-1]
+            ego: {speed_kmh: 50, maneuvers: [{at_s: 1, lateral_offset_m: %s}]}
+            accept: {%s}
+            """
+                    .formatted(aside, criterion)
+                + others),
+        Bench.carla());
   }
 
   private static Scenario hit(String criteria) {
