@@ -16,13 +16,18 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** The values of factors that no scenario takes. */
 final class RefusedValues {
 
   private static final int MOST_TRIED = 200;
 
+  /** The most cases of which one has to be a case with another value, too. */
+  private static final int MOST_CASES = 32;
+
   private final CampaignPlan plan;
+  private final SearchSpace space;
   private final Consumer<CampaignCase> reader;
   private final Function<String, Optional<String>> pointers;
 
@@ -37,6 +42,7 @@ final class RefusedValues {
       Consumer<CampaignCase> reader,
       Function<String, Optional<String>> pointers) {
     this.plan = plan;
+    this.space = new SearchSpace(plan);
     this.reader = reader;
     this.pointers = pointers;
   }
@@ -48,28 +54,65 @@ final class RefusedValues {
 
   /**
    * Returns a finding for each factor with a value that no scenario takes, with the others as they
-   * are first. Of very many values, some are tried, the first and the last among them.
+   * are first, as far as that is a case. Of very many values, some are tried, the first and the
+   * last among them.
    */
   private List<Diagnostic> values() {
-    List<BigDecimal> first =
-        plan.factors().stream().map(factor -> factor.levels().checked().get(0)).toList();
-    CampaignCase usual = new CampaignCase(first, 1);
-    List<Diagnostic> problems = problems(usual);
+    List<CampaignCase> cases = cases();
+    if (cases.isEmpty()) {
+      return List.of();
+    }
+    List<Diagnostic> problems = problems(cases.get(0));
     if (!problems.isEmpty()) {
-      return ofFirst(usual, problems);
+      return ofFirst(cases.get(0), problems);
     }
     List<Diagnostic> found = new ArrayList<>();
     for (int i = 0; i < plan.factors().size(); i++) {
       Factor factor = plan.factors().get(i);
       for (BigDecimal value : some(factor.levels().checked())) {
-        List<Diagnostic> refused = problems(usual.with(i, value));
+        Optional<CampaignCase> with = with(cases, i, value);
+        List<Diagnostic> refused = with.map(this::problems).orElse(List.of());
         if (!refused.isEmpty()) {
-          found.add(finding(words(factor, value), refused.get(0), factor.place()));
+          boolean first = with.get().equals(cases.get(0).with(i, value));
+          String words = first ? words(factor, value) : with.get().words(plan);
+          found.add(finding(words, refused.get(0), factor.place()));
           break;
         }
       }
     }
     return found;
+  }
+
+  /** Returns some cases that the conditions keep, of which that with the first values is first. */
+  private List<CampaignCase> cases() {
+    List<BigDecimal> first =
+        plan.factors().stream().map(factor -> factor.levels().checked().get(0)).toList();
+    CampaignCase usual = new CampaignCase(first, 1);
+    if (plan.conditions().isEmpty()) {
+      return List.of(usual);
+    }
+    try {
+      return Stream.concat(Stream.of(usual), space.tried().stream())
+          .filter(this::isCase)
+          .limit(MOST_CASES)
+          .toList();
+    } catch (DiagnosticException e) {
+      return isCase(usual) ? List.of(usual) : List.of(); // a condition has no value
+    }
+  }
+
+  /** Returns the first of some cases that is one with another value, too. */
+  private Optional<CampaignCase> with(List<CampaignCase> cases, int factor, BigDecimal value) {
+    return cases.stream().map(each -> each.with(factor, value)).filter(this::isCase).findFirst();
+  }
+
+  /** Returns whether the conditions keep it; if they have no value, its problem is that. */
+  private boolean isCase(CampaignCase each) {
+    try {
+      return space.keeps(each);
+    } catch (DiagnosticException e) {
+      return true;
+    }
   }
 
   /**

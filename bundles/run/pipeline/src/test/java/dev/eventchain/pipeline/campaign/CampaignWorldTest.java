@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
@@ -21,6 +23,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -91,6 +94,59 @@ class CampaignWorldTest {
               speed: {path: ego.speed_kmh, values: [30, 60]}
             computed:
               aside: {path: ego.ofset, formula: speed / 100}
+            """));
+  }
+
+  /** The first values together are no case here, and no scenario takes them. */
+  @Test
+  void whatTheConditionsLeaveOutIsNotRefused() throws IOException {
+    String text =
+        """
+        scenario: ahead
+        factors:
+          distance: {values: [5, 20, %s]}
+          speed: {path: ego.speed_kmh, values: [30, 60]}
+        computed:
+          gap: {path: "actors[car].gap_m", formula: distance - 10}
+        where: [gap > 0, speed < distance * 2]
+        """;
+    assertEquals(List.of(), found(text.formatted("40")));
+    List<String> far = found(text.formatted("4000"));
+    assertEquals(1, far.size(), far::toString);
+    assertTrue(far.get(0).startsWith("campaign.factor With distance = 4000"), far::toString);
+  }
+
+  /** The key of a topic has slashes, which a place in a file writes otherwise. */
+  @Test
+  void aWrongKeyOfATopicIsSaidOfTheFactorThatHasIt() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("bench.yaml"),
+            """
+            provides:
+              /scan:
+                type: std_msgs/msg/Float32
+                rate_hz: 10
+                fields: {data: {value: ego.speed, unit: m/s}}
+            """);
+    MessageCatalog messages = MessageCatalog.of(List.of());
+    Function<SourceText, Bench> benches = read -> Bench.parse(read, List.of(), messages);
+    world =
+        new CampaignWorld(
+            benches.apply(SourceText.read(file)),
+            benches,
+            Optional.of(file),
+            List.of(),
+            folder.resolve("scenarios"));
+    assertEquals(
+        List.of(
+            "campaign.factor With rate = 5: There is no key 'rate' here. /provides/~1scan/rate"),
+        found(
+            """
+            scenario: ahead
+            factors:
+              speed: {path: ego.speed_kmh, values: [30, 60]}
+              rate: {path: bench:provides./scan.rate, values: [5, 10]}
             """));
   }
 
