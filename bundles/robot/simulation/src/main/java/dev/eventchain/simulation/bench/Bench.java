@@ -376,11 +376,11 @@ public final class Bench {
     return declared;
   }
 
-  /** Returns whether the software commands a speed. */
-  public boolean drivesSpeed() {
+  /** Returns whether a field of a topic drives an actuator. */
+  public boolean drives(Actuator actuator) {
     return consumed.values().stream()
         .flatMap(topic -> topic.fields().stream())
-        .anyMatch(effect -> effect.actuator().equals(Optional.of(Actuator.SPEED)));
+        .anyMatch(effect -> effect.actuator().equals(Optional.of(actuator)));
   }
 
   /** Returns what a proposal would say of the fields of a topic; none if it is not declared. */

@@ -18,7 +18,7 @@ public final class VehicleReader {
   public static final String SPEED_STEP = "speed_step_s";
 
   /** The key of how fast a vehicle turns that turns on the spot. */
-  static final String YAW_RATE = "maximal_yaw_rate_radps";
+  public static final String YAW_RATE = "maximal_yaw_rate_radps";
 
   private static final String COMMAND_TIMEOUT = "command_timeout_s";
 

@@ -8,6 +8,7 @@ import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.bench.VehicleReader;
 import dev.eventchain.simulation.stage.PlayedFile;
 import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.Actuator;
 import dev.eventchain.simulation.world.Body;
 import dev.eventchain.simulation.world.EgoMotion;
 import dev.eventchain.simulation.world.EgoVehicle;
@@ -67,7 +68,7 @@ final class SituationReader {
     HumanDriver driver =
         part.map(it -> reader.driver(it, ego.speed(), offset))
             .orElse(Situation.straight(ego, List.of()).driver());
-    part.ifPresent(it -> refuseSteps(it, ego));
+    part.ifPresent(it -> refuseWithoutEffect(it, ego));
     part.ifPresent(ObjectReader::refuseOthers);
     List<Actor> actors = reader.read(section);
     refuseOverlap(actors, ego, road);
@@ -94,7 +95,7 @@ final class SituationReader {
                 part -> {
                   EgoVehicle own =
                       VehicleReader.read(part, usual, usual.speed(), ScenarioRules.VALUE_RANGE);
-                  refuseSteps(part, own);
+                  refuseWithoutEffect(part, own);
                   part.refuseOthers();
                   return own;
                 })
@@ -112,11 +113,11 @@ final class SituationReader {
         situation.director());
   }
 
-  /**
-   * Refuses steps of a speed that the software commands, which the vehicle follows continuously.
-   */
-  private void refuseSteps(ObjectReader part, EgoVehicle ego) {
-    if (part.has(VehicleReader.SPEED_STEP) && ego.speedStep() > 0.0 && bench.drivesSpeed()) {
+  /** Refuses what a scenario says of a vehicle whose motion does not depend on it. */
+  private void refuseWithoutEffect(ObjectReader part, EgoVehicle ego) {
+    if (part.has(VehicleReader.SPEED_STEP)
+        && ego.speedStep() > 0.0
+        && bench.drives(Actuator.SPEED)) {
       part.find(
           Diagnostic.of(
                   ScenarioRules.VALUE_RANGE,
@@ -124,6 +125,15 @@ final class SituationReader {
                       + " steps.",
                   part.at(VehicleReader.SPEED_STEP))
               .withHint("Leave `speed_step_s` out."));
+    }
+    boolean turns = part.has(VehicleReader.YAW_RATE) && ego.chassis().turnsOnTheSpot();
+    if (turns && !bench.drives(Actuator.YAW_RATE)) {
+      part.find(
+          Diagnostic.of(
+                  ScenarioRules.VALUE_RANGE,
+                  "The vehicle turns on the spot here, and no field of the bench drives its yaw_rate.",
+                  part.at(VehicleReader.YAW_RATE))
+              .withHint("Leave `maximal_yaw_rate_radps` out."));
     }
   }
 

@@ -121,6 +121,22 @@ class VehicleTest {
     assertEquals(0, scenario(", speed_step_s: 0", 5, Bench.carla()).situation().ego().speedStep());
   }
 
+  @Test
+  void aVehicleThatNoYawRateDrivesDoesNotTurnOnTheSpot() {
+    DiagnosticException refused =
+        assertThrows(
+            DiagnosticException.class,
+            () -> scenario(", maximal_yaw_rate_radps: 1.5", 5, Bench.carla()));
+    assertTrue(refused.getMessage().contains("no field of the bench drives its yaw_rate"));
+    assertEquals(
+        0,
+        scenario(", maximal_yaw_rate_radps: 0", 5, Bench.carla())
+            .situation()
+            .ego()
+            .chassis()
+            .maximalYawRate());
+  }
+
   /** A commanded speed is followed continuously, so that steps would have no effect. */
   @Test
   void aCommandedSpeedHasNoSteps() {
