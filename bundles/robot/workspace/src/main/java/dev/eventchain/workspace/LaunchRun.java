@@ -103,10 +103,11 @@ final class LaunchRun {
 
   /** Returns the files that no other file includes. */
   static List<String> roots(Sources sources) {
+    Sources unread = new Sources(sources.files(), sources.packages(), name -> Optional.empty());
     Set<String> included = new TreeSet<>();
     for (String file : sources.files().keySet()) {
       for (boolean isWhole : List.of(true, false)) {
-        LaunchRun run = new LaunchRun(sources, new ArrayList<>(), isWhole);
+        LaunchRun run = new LaunchRun(unread, new ArrayList<>(), isWhole);
         run.file(file, new LaunchScope(), 0);
         run.included.remove(file);
         included.addAll(run.included);
