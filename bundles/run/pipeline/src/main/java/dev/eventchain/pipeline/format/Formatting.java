@@ -76,7 +76,7 @@ public final class Formatting {
     Map<Optional<Path>, Suppressions> known = new HashMap<>();
     Function<String, Suppressions> of =
         file ->
-            FormattedFiles.project(Path.of(file))
+            project(Path.of(file))
                 .map(
                     it ->
                         known.computeIfAbsent(place(it), to -> suppressions.apply(Optional.of(it))))
@@ -95,6 +95,18 @@ public final class Formatting {
         .map(Part::outcome)
         .reduce(Outcome::and)
         .orElseGet(() -> Outcome.of(Coverage.NONE, List.of(), Suppressions.NONE));
+  }
+
+  /** Returns the project of a file, from the current folder if the file is named from there. */
+  private static Optional<ProjectFolder> project(Path file) {
+    Path here = Path.of("").toAbsolutePath();
+    return FormattedFiles.project(file)
+        .map(
+            it ->
+                it.folder().isAbsolute() && !file.isAbsolute()
+                    ? here.relativize(it.folder())
+                    : it.folder())
+        .map(ProjectFolder::new);
   }
 
   private static Optional<Path> place(ProjectFolder project) {

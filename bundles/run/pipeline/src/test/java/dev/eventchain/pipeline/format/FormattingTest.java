@@ -17,7 +17,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.LocalDate;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -288,6 +290,24 @@ class FormattingTest {
     assertEquals(3, Formatting.outcome(result, of -> accepting).suppressed().size());
     Outcome nothing = Formatting.outcome(Formatting.of(List.of(), 2, false), of -> accepting);
     assertEquals(0, nothing.exitCode());
+  }
+
+  /** Findings about suppressions have the place that the files have. */
+  @Test
+  void projectsAreNamedAsTheirFilesAre() throws IOException {
+    file("p/eventchain.yaml", "name: x\n");
+    Path all = Path.of("").toAbsolutePath().relativize(file("p/a/b.ocl", RULES));
+    Set<Path> projects = new HashSet<>();
+    for (Path named : List.of(all, all.toAbsolutePath().normalize())) {
+      Formatting.outcome(
+          Formatting.of(List.of(named), 2, false),
+          of -> {
+            projects.add(of.orElseThrow().folder());
+            return Suppressions.NONE;
+          });
+    }
+    Path relative = all.getParent().getParent();
+    assertEquals(Set.of(relative, relative.toAbsolutePath().normalize()), projects);
   }
 
   private boolean isFirst(ProjectFolder project) {
