@@ -45,7 +45,7 @@ class ExportedExamplesTest {
   @TempDir Path folder;
 
   @ParameterizedTest
-  @CsvSource({"aeb, 33", "acc, 19", "lane-departure, 15", "cut-in, 8", "radar-aeb, 2"})
+  @CsvSource({"aeb, 33", "acc, 21", "lane-departure, 16", "cut-in, 9", "radar-aeb, 2"})
   void actorsAreWhereTheyAreInTheSimulation(String example, int exported) {
     Project project = Project.open(Repository.ROOT.resolve("examples").resolve(example));
     List<Scenario> scenarios =
