@@ -21,6 +21,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -50,6 +51,27 @@ class CampaignSummaryTest {
     return new CampaignRow(
         new CampaignCase(List.of(BigDecimal.valueOf(value)), 1),
         new CaseResult(Label.PASSED, "", List.of(), OptionalDouble.empty(), 1, nothingAhead));
+  }
+
+  /** Nearly all of its cells would be empty. */
+  @Test
+  void drawnValuesAreNoTable() throws IOException {
+    String text =
+        """
+        scenario: s
+        factors: {f: {path: p, %s}, g: {path: q, values: [1, 2]}}
+        sampling: {halton: 2}
+        """;
+    List<CampaignRow> rows =
+        IntStream.of(1, 2)
+            .mapToObj(it -> new CampaignCase(List.of(BigDecimal.valueOf(it), BigDecimal.ONE), 1))
+            .map(id -> new CampaignRow(id, CaseResult.error("x")))
+            .toList();
+    for (String values : List.of("values: [1, 2]", "uniform: [1, 2]")) {
+      Path file = Files.writeString(folder.resolve("a.yaml"), text.formatted(values));
+      String said = new CampaignSummary(CampaignReader.read(file).get(0), rows).text();
+      assertEquals(values.startsWith("values"), said.contains("f \\ g"), said);
+    }
   }
 
   /** The reason of an error is a sentence of its own, and the one of a criterion is none. */

@@ -39,6 +39,10 @@ public final class CampaignMatrix {
     if (factors > 2 || plan.repetitions() > 1 || plan.boundary().isPresent() || rows.isEmpty()) {
       return "";
     }
+    // Nearly each value that is drawn is one of its own, so that nearly all cells would be empty.
+    if (factors > 1 && plan.factors().stream().anyMatch(it -> it.levels().isContinuous())) {
+      return "";
+    }
     Set<BigDecimal> lines = new TreeSet<>();
     Set<BigDecimal> columns = new TreeSet<>();
     Map<List<BigDecimal>, String> words = new TreeMap<>((a, b) -> compared(a, b));

@@ -33,16 +33,13 @@ public final class CampaignPage {
   private static final String STYLE =
       """
 
-      .map { width: auto; border-collapse: collapse; font-variant-numeric: tabular-nums; }
-      .map td { width: 1.6rem; height: 1.4rem; border: 1px solid Canvas; padding: 0; text-align: center; font-size: .7rem; }
-      .map th { font-weight: normal; padding: 0 .4rem; text-align: right; }
-      .map thead th { text-align: center; }
       .passed { background: #2e7d4f; color: #fff; }
       .passed.spared { background: #9cc9ab; }
       .failed { background: #b3362e; color: #fff; }
       .mixed { background: #d9a441; color: #000; }
       .untested { background: repeating-linear-gradient(45deg, #888 0 3px, #bbb 3px 6px); }
       """
+          + CampaignMap.STYLE
           + PageCharts.STYLE;
 
   private final Project project;
@@ -77,9 +74,9 @@ public final class CampaignPage {
     page.factors();
     page.boundary();
     comparison.ifPresent(page::changes);
+    page.failures();
     page.margins();
     page.nearest();
-    page.failures();
     return page.page.end("All cases are in " + CampaignStore.TABLE + ".");
   }
 
@@ -122,7 +119,8 @@ public final class CampaignPage {
     if (isDrawn(shown[0]) || isDrawn(shown[1])) {
       points(shown[0], shown[1]);
     } else {
-      map(shown[0], shown[1]);
+      new CampaignMap(plan, rows, points, shown[0], shown[1], page)
+          .add(values(shown[0]), values(shown[1]));
     }
     raw("</section>\n");
   }
@@ -153,31 +151,6 @@ public final class CampaignPage {
         "case " + (number + 1));
   }
 
-  /** Adds a cell for each two values. */
-  private void map(int down, int right) {
-    List<BigDecimal> across = values(right);
-    raw(
-        "<p class=\"muted\">Each cell has the cases that did not pass, of all with these values; the");
-    raw(" others differ in the other factors.");
-    raw(summary.ofNothingAhead().isEmpty() ? "" : " Nothing was ahead in what is a lighter green.");
-    raw(points.isPresent() ? " A cell of one case has its points.</p>\n" : "</p>\n");
-    raw("<div class=\"scroll\"><table class=\"map\"><thead><tr><th></th>");
-    across.forEach(value -> add("<th>%s</th>", value.toPlainString()));
-    raw("</tr></thead><tbody>\n");
-    for (BigDecimal value : values(down)) {
-      add("<tr><th>%s</th>", value.toPlainString());
-      across.forEach(
-          other ->
-              cell(
-                  rows.stream()
-                      .filter(row -> row.id().values().get(down).compareTo(value) == 0)
-                      .filter(row -> row.id().values().get(right).compareTo(other) == 0)
-                      .toList()));
-      raw("</tr>\n");
-    }
-    raw("</tbody></table></div>\n");
-  }
-
   private List<BigDecimal> values(int factor) {
     TreeSet<BigDecimal> values = new TreeSet<>();
     rows.forEach(row -> values.add(row.id().values().get(factor)));
@@ -186,37 +159,6 @@ public final class CampaignPage {
       values.retainAll(new TreeSet<>(plan.factors().get(factor).levels().checked()));
     }
     return new ArrayList<>(values);
-  }
-
-  private void cell(List<CampaignRow> cases) {
-    long passed = cases.stream().filter(row -> row.is(Label.PASSED)).count();
-    long untested = cases.stream().filter(row -> row.is(Label.UNTESTED)).count();
-    if (cases.isEmpty()) {
-      raw("<td></td>");
-    } else if (cases.size() == 1 && points.isPresent()) {
-      int index = rows.indexOf(cases.get(0));
-      String title = word(cases.get(0)) + ", points: " + points.get().ofMost(index);
-      add("<td class=\"%s\" title=\"%s\">", kind(cases.get(0)), title);
-      add("%s</td>", points.get().of(index));
-    } else if (passed == cases.size()) {
-      boolean spared = cases.stream().allMatch(row -> row.result().nothingAhead());
-      raw(
-          spared
-              ? "<td class=\"passed spared\" title=\"passed: nothing was ahead\"></td>"
-              : "<td class=\"passed\" title=\"passed\"></td>");
-    } else if (untested == cases.size()) {
-      raw("<td class=\"untested\" title=\"not tested\"></td>");
-    } else {
-      String kind = passed + untested == 0 ? "failed" : "mixed";
-      String words =
-          String.format(Locale.ROOT, "%d of %d did not pass", cases.size() - passed, cases.size());
-      String shown = cases.size() == 1 ? "" : Long.toString(cases.size() - passed);
-      add("<td class=\"%s\" title=\"%s\">%s</td>", kind, words, shown);
-    }
-  }
-
-  private static String kind(CampaignRow row) {
-    return row.is(Label.PASSED) ? "passed" : row.is(Label.UNTESTED) ? "untested" : "failed";
   }
 
   private void boundary() {
@@ -282,6 +224,17 @@ public final class CampaignPage {
     raw("</section>\n");
   }
 
+  /** Returns whether the margins of the criterion, in its unit, differ between the cases. */
+  private boolean differs(CriterionMargin margin) {
+    List<CriterionMargin> all =
+        rows.stream()
+            .flatMap(row -> row.result().criteria().stream())
+            .filter(each -> each.name().equals(margin.name()))
+            .filter(each -> each.unit().equals(margin.unit()) && each.margin().isPresent())
+            .toList();
+    return differ(values(all));
+  }
+
   /** Adds, for each criterion whose margins differ, how many cases have which. */
   private void margins() {
     Map<String, List<CriterionMargin>> byCriterion = new LinkedHashMap<>();
@@ -319,7 +272,8 @@ public final class CampaignPage {
   }
 
   private void nearest() {
-    List<CampaignSummary.Near> nearest = summary.nearest(NEAREST_OF_ONE);
+    List<CampaignSummary.Near> nearest =
+        summary.nearest(NEAREST_OF_ONE).stream().filter(near -> differs(near.margin())).toList();
     if (nearest.isEmpty()) {
       return;
     }
@@ -352,11 +306,11 @@ public final class CampaignPage {
   }
 
   private void failures() {
-    List<CampaignRow> failed =
-        rows.stream().filter(row -> !row.is(Label.PASSED)).limit(NEAREST).toList();
+    List<CampaignRow> failed = rows.stream().filter(row -> !row.is(Label.PASSED)).toList();
     if (!failed.isEmpty()) {
-      raw("<section><h2>The first that did not pass</h2>\n");
-      table(failed);
+      boolean all = failed.size() <= NEAREST;
+      add("<section><h2>%s</h2>\n", all ? "Did not pass" : "The first that did not pass");
+      table(failed.subList(0, all ? failed.size() : NEAREST));
       raw("</section>\n");
     }
   }
