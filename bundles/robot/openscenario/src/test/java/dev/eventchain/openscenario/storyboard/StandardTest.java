@@ -57,7 +57,7 @@ class StandardTest {
     List<String> expected = Files.readAllLines(FOLDER.resolve(name + ".expected"));
     List<String> actual = new ArrayList<>();
     for (String line : sorted(expected)) {
-      String[] words = line.split(" ");
+      String[] words = line.split(" ", -1);
       switch (words[0]) {
         case "state" -> actual.add(state(played(run, words[1]), words));
         case "value" -> actual.add(value(played(run, words[1]), words));
@@ -79,7 +79,7 @@ class StandardTest {
   }
 
   private static double time(String line) {
-    return line.startsWith("element") ? 0 : Double.parseDouble(line.split(" ")[1]);
+    return line.startsWith("element") ? 0 : Double.parseDouble(line.split(" ", -1)[1]);
   }
 
   private static StoryboardRun start(Path file) {
