@@ -48,7 +48,7 @@ final class SupportCheck {
         "Leave it out, or say the same by what is supported.");
   }
 
-  /** Refuses to activate controllers of others than the ego. */
+  /** Refuses to activate controllers of others than the ego, and warns of that of the ego later. */
   void checkControllers(ScenarioElement storyboard) {
     boolean triggeredByEgo =
         Findings.within(storyboard)
@@ -66,18 +66,30 @@ final class SupportCheck {
             : areEgo(holder.required("Actors"))
                 && (!holder.required("Actors").flag("selectTriggeringEntities", false)
                     || triggeredByEgo);
-    if (onlyEgo) {
+    if (onlyEgo && holder.name().equals("Private")) {
       return;
     }
     Findings.within(holder)
         .filter(SupportCheck::activates)
-        .forEach(
-            each ->
-                findings.add(
-                    StoryboardRules.UNSUPPORTED,
-                    each.location(),
-                    "The storyboard has no controller but that of the ego, '" + ego + "'.",
-                    "Leave the controller inactive, and say by actions what the entity does."));
+        .forEach(each -> reportActivation(each, onlyEgo));
+  }
+
+  private void reportActivation(ScenarioElement action, boolean ofEgo) {
+    if (ofEgo) {
+      findings.add(
+          StoryboardRules.ACTIVATED_LATER,
+          action.location(),
+          "The controller of '"
+              + ego
+              + "' is its software, which drives from its first command on, also before this.",
+          "Activate it in Init, or take a run in which the software acts before as another test.");
+    } else {
+      findings.add(
+          StoryboardRules.UNSUPPORTED,
+          action.location(),
+          "The storyboard has no controller but that of the ego, '" + ego + "'.",
+          "Leave the controller inactive, and say by actions what the entity does.");
+    }
   }
 
   /** Returns whether all entities that an element names are the ego. */

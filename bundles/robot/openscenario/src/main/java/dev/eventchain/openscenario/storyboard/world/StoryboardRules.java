@@ -14,6 +14,7 @@ public final class StoryboardRules {
   public static final Rule VALUE = Rule.error("storyboard.value");
   public static final Rule OVERLAP = Rule.error("storyboard.overlap");
   public static final Rule UNPLACED = Rule.error("storyboard.entity.unplaced");
+  public static final Rule ACTIVATED_LATER = Rule.warning("storyboard.controller.later");
   public static final Rule NO_ACTORS = Rule.warning("storyboard.actors.none");
   public static final Rule EMPTY_TRIGGER = Rule.warning("storyboard.trigger.empty");
   public static final Rule NO_PLACE = Rule.error("storyboard.place.none");
