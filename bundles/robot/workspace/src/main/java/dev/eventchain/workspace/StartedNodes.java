@@ -204,10 +204,16 @@ final class StartedNodes {
         node.path("description").asText(),
         frequency(node, simple),
         List.copyOf(endpoints),
-        node.path("questions").isEmpty() && endpoints.size() == node.path("endpoints").size(),
+        areTopicsKnown(node) && endpoints.size() == node.path("endpoints").size(),
         python(node, names, parameters),
         file,
         line);
+  }
+
+  /** Returns whether no question about a node is one about its topics. */
+  private static boolean areTopicsKnown(JsonNode node) {
+    return StreamSupport.stream(node.path("questions").spliterator(), false)
+        .allMatch(each -> each.path("beside_topics").asBoolean());
   }
 
   /** Returns the class; only what differs from its own name and namespace is given to it. */

@@ -196,7 +196,7 @@ class _ClassReader:
                 text = (
                     f"{self._node.definition.name} has {_LEFT_OUT[name]}, which a chain does not have. Does it matter?"
                 )
-                self._ask(place.module, call, text)
+                self._ask(place.module, call, text, is_beside_topics=True)
 
     def _endpoint(self, call: ast.Call, place: Place, maker: str, is_conditional: bool, target: ast.AST | None) -> None:
         publishes = maker == "create_publisher"
@@ -266,8 +266,8 @@ class _ClassReader:
         except UnknownValueError as problem:
             self._ask(place.module, call, f"What is the period of this timer: {problem}?")
 
-    def _ask(self, module: Module, node: ast.AST, text: str) -> None:
-        question = module.question(node, text)
+    def _ask(self, module: Module, node: ast.AST, text: str, *, is_beside_topics: bool = False) -> None:
+        question = module.question(node, text)._replace(is_beside_topics=is_beside_topics)
         if question not in self._questions:
             self._questions.append(question)
 

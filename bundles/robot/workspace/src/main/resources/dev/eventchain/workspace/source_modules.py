@@ -12,16 +12,18 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 class Question(NamedTuple):
-    """Question that the source leaves open, with its place."""
+    """Question that the source leaves open, with its place; one beside topics leaves those of its node known."""
 
     file: str
     line: int
     text: str
+    is_beside_topics: bool = False
 
     @property
     def json(self) -> dict[str, object]:
         """The question for the caller."""
-        return {"file": self.file, "line": self.line, "text": self.text}
+        json: dict[str, object] = {"file": self.file, "line": self.line, "text": self.text}
+        return {**json, "beside_topics": True} if self.is_beside_topics else json
 
 
 class Binding(NamedTuple):

@@ -184,14 +184,23 @@ final class BenchProposal {
   /** Adds the fields of a topic; returns all lines as comments if none could be connected. */
   private List<String> withFields(dev.eventchain.model.Signal signal, List<String> topic) {
     Optional<List<String>> objects = objects(signal);
+    boolean onlyStamps =
+        signal.fields().stream().allMatch(field -> BenchCheck.isStamp(field.path()));
     List<Field> single =
         signal.fields().stream()
             .filter(field -> objects.isEmpty() || !isList(signal, field))
-            .filter(field -> !BenchCheck.isStamp(field.path()))
+            .filter(field -> onlyStamps || !BenchCheck.isStamp(field.path()))
             .toList();
     List<String> fields = new ArrayList<>();
     for (Field field : single) {
-      Optional<String> source = source(signal, field);
+      Optional<String> source =
+          source(signal, field)
+              .or(
+                  () ->
+                      StandardState.source(
+                          signal.topic(),
+                          RosNames.fullMessageType(signal.messageType()),
+                          field.path()));
       if (source.isEmpty()) {
         inputs = inputs.or(() -> kind(signal, field.path()).map(kind -> inputs(field, kind)));
       }

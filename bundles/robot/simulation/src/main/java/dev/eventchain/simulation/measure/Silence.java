@@ -181,7 +181,8 @@ public final class Silence {
     return finding(
         name,
         "%s executed, but never wrote %s.".formatted(quoted(name), String.join(", ", unwritten)),
-        "Let execute() return each output in at least one scenario.");
+        "Let execute() return each output in at least one scenario, or a node publish it; or leave"
+            + " it out of the chain.");
   }
 
   private Diagnostic waitForEachOther() {

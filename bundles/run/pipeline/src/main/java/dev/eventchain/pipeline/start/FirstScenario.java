@@ -12,8 +12,9 @@ import java.util.stream.Collectors;
 
 /**
  * The scenario of a new project, to be changed by people: an approach to a stopped vehicle, or a
- * vehicle that stands, if the bench lets no signal drive it and there is something to switch on.
- * That nothing is switched on proves nothing by itself, so the second one never passes unchanged.
+ * vehicle that stands, if the bench lets no signal drive it and there is something to switch on;
+ * for a robot that takes a speed, something to run into on its way. That nothing is switched on
+ * proves nothing by itself, so the second one never passes unchanged.
  *
  * @param name the name of the file without its ending
  * @param text the text of the file
@@ -31,6 +32,9 @@ record FirstScenario(String name, String text) {
   static FirstScenario of(Requirements requirements, List<Signal> signals, String bench) {
     Optional<String> lamp = DRIVES.matcher(bench).find() ? Optional.empty() : truth(signals);
     String ids = requirements.items().stream().map(WrittenRequirement::id).toList().toString();
+    if (bench.contains("{drives: speed")) {
+      return robot(ids, judged(requirements, "      "));
+    }
     return lamp.map(field -> standing(ids, field, judged(requirements, "        ")))
         .orElseGet(() -> stopped(ids, judged(requirements, "      ")));
   }
@@ -77,6 +81,34 @@ record FirstScenario(String name, String text) {
               formula: always[0.5, 12] not %s
         """
             .formatted(ids, judged, field));
+  }
+
+  private static FirstScenario robot(String ids, String judged) {
+    return new FirstScenario(
+        "obstacle-ahead",
+        """
+        name: obstacle-ahead
+        title: Something stands in the way, 8 m ahead
+        requirements: %s
+        duration_s: 40
+        ego:
+          speed_kmh: 0
+        actors:
+          - gap_m: 8
+            speed_kmh: 0
+        accept:
+          no_impact: true
+          # Of each requirement, leave the words that no_impact judges, or remove it here and above.
+          judges:
+            no_impact:
+        %s
+          formulas:
+            - name: it sets off
+              judges:
+        %s
+              formula: eventually[0, 20] ego.speed > 0.05 m/s
+        """
+            .formatted(ids, judged, judged.indent(2).stripTrailing()));
   }
 
   private static FirstScenario stopped(String ids, String judged) {
