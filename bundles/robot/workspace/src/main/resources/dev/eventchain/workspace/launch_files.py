@@ -40,6 +40,7 @@ _EVENTS = {"OnProcessStart": "on_start", "OnProcessExit": "on_exit", "OnExecutio
 _SUBSTITUTED = frozenset({"text", "package", "variable_name"})
 _NAMED = {"package": "pkg", "executable": "exec", "plugin": "plugin", "name": "name", "namespace": "namespace"}
 _ARGUMENTS = {"arguments": "args", "ros_arguments": "ros_args"}
+_MUTATORS = frozenset({"append", "clear", "extend", "insert", "pop", "popitem", "remove", "setdefault", "update"})
 _SHARES = frozenset({"get_package_share_directory", "FindPackageShare", "get_package_share_path"})
 
 
@@ -51,6 +52,7 @@ class LaunchFile:
         self._constants = constants
         self._place = Place(module)
         self._followed: list[Function] = []  # functions of OpaqueFunction that are being read
+        self._lists: list[str] = []  # names of lists that are being read
 
     def read(self) -> list[Json]:
         """Return the elements of the launch description."""
@@ -61,7 +63,9 @@ class LaunchFile:
         found: list[Json] = []
         for node in ast.walk(function):
             if isinstance(node, ast.Call) and last_name(node.func) == "LaunchDescription":
-                found += self._list(node.args[0], node) if node.args else []
+                keyword = [each.value for each in node.keywords if each.arg == "initial_entities"]
+                for given in node.args[:1] or keyword:
+                    found += self._list(given, node)
         for statement in function.body:
             found += self._statement(statement)
         return found
@@ -76,15 +80,41 @@ class LaunchFile:
 
     def _list(self, node: ast.expr, owner: ast.AST) -> list[Json]:
         if isinstance(node, ast.Name):
-            try:
-                node, self._place = self._constants.definition(node, self._place)
-            except UnknownValueError as problem:
-                return [_unknown(owner, str(problem))]
+            return self._named_list(node, owner)
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
             return [*self._list(node.left, owner), *self._list(node.right, owner)]
         if isinstance(node, (ast.List, ast.Tuple)):
             return [self._element(each) for each in node.elts]
         return [_unknown(owner, f"it launches '{ast.unparse(node)[:60]}'")]
+
+    def _named_list(self, node: ast.Name, owner: ast.AST) -> list[Json]:
+        """Return what a list has that a name is given, and what is added to it then."""
+        if node.id in self._lists:
+            return [_unknown(owner, f"'{node.id}' is a part of itself")]
+        outside = self._place
+        self._lists.append(node.id)
+        try:
+            inner, self._place = self._constants.definition(node, outside)
+            found = self._list(inner, owner)
+            self._place = outside
+            return [*found, *self._added(node.id)]
+        except UnknownValueError as problem:
+            return [_unknown(owner, str(problem))]
+        finally:
+            self._lists.pop()
+
+    def _added(self, name: str) -> Iterator[Json]:
+        """Return what the statements of a function add to a list."""
+        for statement in self._place.function.body if self._place.function else ():
+            call = statement.value if isinstance(statement, ast.Expr) else None
+            method = call.func if isinstance(call, ast.Call) else None
+            if isinstance(call, ast.Call) and isinstance(method, ast.Attribute) and _is_named(method.value, name):
+                if method.attr == "append" and len(call.args) == 1:
+                    yield self._element(call.args[0])
+                elif method.attr == "extend" and len(call.args) == 1:
+                    yield from self._list(call.args[0], call)
+                else:
+                    yield _unknown(call, f"'{name}.{method.attr}' changes it when it runs")
 
     def _element(self, node: ast.expr, depth: int = 0) -> Json:
         if isinstance(node, ast.Name) and depth < 20:
@@ -96,6 +126,8 @@ class LaunchFile:
             return _unknown(node, f"it launches '{ast.unparse(node)[:60]}'")
         name = last_name(node.func)
         keywords = {each.arg or "": each.value for each in node.keywords}
+        if "" in keywords:
+            return _unknown(node, f"what '**' gives '{name}' is not read")
         found = self._call(name, node, keywords)
         if "condition" in keywords and found["kind"] != "ignored":
             found["condition"] = self._condition(keywords["condition"])
@@ -244,9 +276,10 @@ class LaunchFile:
 
     def _words(self, node: ast.expr) -> str | None:
         """Return a list of texts as one, with spaces."""
+        node = self._collection(node)
         if isinstance(node, (ast.List, ast.Tuple)):
             return _joined((self._text(each) for each in node.elts), " ")
-        return self._text(node)
+        return None if isinstance(node, ast.Name) else self._text(node)
 
     def _remaps(self, node: ast.expr | None, owner: ast.AST) -> list[list[str | None]]:
         if node is None:
@@ -257,9 +290,9 @@ class LaunchFile:
         """Return pairs of texts: a list of tuples, or the items of a dict; an unknown list is one unknown pair."""
         if node is None:
             return []
-        node = self._definition(node)
+        node = self._collection(node)
         if isinstance(node, ast.Call) and last_name(node.func) == "items" and isinstance(node.func, ast.Attribute):
-            node = self._definition(node.func.value)
+            node = self._collection(node.func.value)
         if isinstance(node, ast.Dict) and all(key is not None for key in node.keys):
             items = zip(node.keys, node.values, strict=True)
             return [(self._text(key), self._text(value)) for key, value in items if key]
@@ -274,6 +307,12 @@ class LaunchFile:
             with contextlib.suppress(UnknownValueError):
                 return self._constants.definition(node, self._place)[0]
         return node
+
+    def _collection(self, node: ast.expr) -> ast.expr:
+        """Return the list or dictionary that a name is given, unless the file changes it later."""
+        if isinstance(node, ast.Name) and any(_changes(each, node.id) for each in ast.walk(self._module.tree)):
+            return node
+        return self._definition(node)
 
     def _text(self, node: ast.expr, depth: int = 0) -> str | None:
         """Return a text with substitutions; None if it is not known."""
@@ -365,6 +404,17 @@ def returned(function: ast.FunctionDef) -> ast.expr | None:
         if not is_text and not (targets and all(isinstance(each, ast.Name) for each in targets)):
             return None
     return last.value if isinstance(last, ast.Return) else None
+
+
+def _is_named(node: ast.expr, name: str) -> bool:
+    return isinstance(node, ast.Name) and node.id == name
+
+
+def _changes(node: ast.AST, name: str) -> bool:
+    """Return whether an expression changes what is in the list or dictionary of a name."""
+    if isinstance(node, ast.Subscript):
+        return isinstance(node.ctx, (ast.Store, ast.Del)) and _is_named(node.value, name)
+    return isinstance(node, ast.Attribute) and node.attr in _MUTATORS and _is_named(node.value, name)
 
 
 def _is_pair(node: ast.expr) -> bool:

@@ -356,6 +356,37 @@ class LaunchFilesTest {
     Files.writeString(file, text);
   }
 
+  /** Lists are often filled by one statement after the other. */
+  @Test
+  void whatIsAddedToListsIsLaunched() throws IOException {
+    checkPython(
+        """
+            declared = []
+            declared.append(DeclareLaunchArgument("side", default_value="left"))
+            words = ["--ros-args", "--log-level", "debug"]
+            names = [("request", "/a")]
+            names.append(("other", "/b"))
+            nodes = [Node(package="braking", executable="brake", name="one")]
+            nodes.append(Node(package="braking", executable="brake", name=LaunchConfiguration("side")))
+            nodes.extend([
+                Node(package="braking", executable="brake", name="two", remappings=names, arguments=words),
+            ])
+            nodes.extend(nodes)
+            nodes.insert(0, Node(package="braking", executable="brake", name="three"))
+            nodes.append(Node(package="braking", name="four", **{"executable": "brake"}))
+            return LaunchDescription(initial_entities=declared + nodes)
+        """,
+        """
+        /one {} {}
+        /left {} {}
+        /two {} {}
+        Which name is remapped to which?
+        Which nodes does this launch: 'nodes' is a part of itself?
+        Which nodes does this launch: 'nodes.insert' changes it when it runs?
+        Which nodes does this launch: what '**' gives 'Node' is not read?
+        """);
+  }
+
   /** Two defaults of one configuration are those of two substitutions. */
   @Test
   void functionsThatReturnListsAreRead() throws IOException {
