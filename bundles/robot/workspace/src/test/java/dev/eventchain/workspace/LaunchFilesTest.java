@@ -153,7 +153,9 @@ class LaunchFilesTest {
     String again = "<include file='$(dirname)/all.launch.xml'/>";
     write("all.launch.xml", "<launch>" + lets + again.repeat(2) + "</launch>");
     FoundSoftware found = Workspace.read(folder, Optional.empty(), PYTHON);
-    assertTrue(found.questions().stream().anyMatch(it -> it.text().startsWith("Which nodes does the incl")));
+    assertTrue(
+        found.questions().stream()
+            .anyMatch(it -> it.text().startsWith("Which nodes does the incl")));
   }
 
   @Test
