@@ -37,8 +37,12 @@ public final class ComponentMutator {
     this.environment = environment;
   }
 
-  /** Two parameters of {@code execute} that mean the same kind of thing, so may be mixed up. */
-  public record Pair(String first, String second) {}
+  /**
+   * Two parameters of {@code execute} that mean the same kind of thing, so may be mixed up.
+   *
+   * @param isBoolean whether both are true or false
+   */
+  public record Pair(String first, String second, boolean isBoolean) {}
 
   /**
    * An output of a component.
@@ -130,7 +134,8 @@ public final class ComponentMutator {
     request.put("source", source.text());
     request.put("class", className);
     ArrayNode pairs = request.putArray("swaps");
-    swaps.forEach(pair -> pairs.addArray().add(pair.first()).add(pair.second()));
+    swaps.forEach(
+        pair -> pairs.addArray().add(pair.first()).add(pair.second()).add(pair.isBoolean()));
     ArrayNode written = request.putArray("outputs");
     outputs.forEach(output -> written.addArray().add(output.name()).add(output.single()));
     return request;

@@ -1,12 +1,12 @@
 """List the mutants of a component: small defects, each in one place of its source. Nothing of it is run.
 
 Standard input is a JSON object: ``source``, ``class``, ``swaps`` (pairs of parameters of `execute` of the same type
-and unit), ``outputs`` (each a name, and whether it is a single value), ``node`` (true for a node that is hosted as it
-is: mutants are made of what it reaches, and not of what creates its endpoints) and ``importers`` (for a module, the
-texts of the files that may import it: mutants are made of what they name). Standard output is a JSON object:
-``mutants``, each with ``operator``, ``function``, ``line`` and ``column`` (both from 1, the column in characters),
-``before``, ``after`` and ``edits`` (start, end and new text, in bytes of the source in UTF-8), or ``problem`` if the
-source cannot be parsed.
+and unit, and whether they are Booleans), ``outputs`` (each a name, and whether it is a single value), ``node`` (true
+for a node that is hosted as it is: mutants are made of what it reaches, and not of what creates its endpoints) and
+``importers`` (for a module, the texts of the files that may import it: mutants are made of what they name). Standard
+output is a JSON object: ``mutants``, each with ``operator``, ``function``, ``line`` and ``column`` (both from 1, the
+column in characters), ``before``, ``after`` and ``edits`` (start, end and new text, in bytes of the source in UTF-8),
+or ``problem`` if the source cannot be parsed.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import mutation_operators
+import mutation_symmetry
 import node_rules
 from mutation_operators import Change
 
@@ -85,7 +86,8 @@ class Lister:
     def __init__(self, request: dict[str, Any]) -> None:
         self._source = Source(request["source"])
         self._class: str = request["class"]
-        self._swaps: list[tuple[str, str]] = [(first, second) for first, second in request["swaps"]]
+        self._swaps: list[tuple[str, str]] = [(first, second) for first, second, _ in request["swaps"]]
+        self._booleans = {name for *pair, boolean in request["swaps"] if boolean for name in pair}
         self._outputs: list[tuple[str, bool]] = [(name, single) for name, single in request["outputs"]]
         self._original = ast.dump(self._source.tree)
         self._reached: set[str] | None = None
@@ -176,8 +178,9 @@ class Lister:
                     yield from self._inserted("return", names, statement, "return", "return")
         if names == [self._class, "execute"] and body:
             for first, second in self._swaps:
-                words = f"{first}, {second} = {second}, {first}"
-                yield from self._inserted("swap", names, body[0], words, words)
+                if not mutation_symmetry.is_symmetric(node, first, second, self._booleans):
+                    words = f"{first}, {second} = {second}, {first}"
+                    yield from self._inserted("swap", names, body[0], words, words)
             for name, single in self._outputs:
                 yield from self._latched(node, names, name, single)
 

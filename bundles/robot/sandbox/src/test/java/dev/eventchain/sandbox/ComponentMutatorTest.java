@@ -56,12 +56,26 @@ class ComponentMutatorTest {
     return mutator.mutants(
         source,
         "Example",
-        operator.equals("swap") ? List.of(new ComponentMutator.Pair("left", "right")) : List.of(),
+        swaps(operator),
         operator.equals("latch")
             ? List.of(
                 new ComponentMutator.Output("active", true),
                 new ComponentMutator.Output("ranges", false))
             : List.of());
+  }
+
+  private static List<ComponentMutator.Pair> swaps(String operator) {
+    if (operator.equals("swap")) {
+      return List.of(new ComponentMutator.Pair("left", "right", false));
+    }
+    return operator.startsWith("swap-")
+        ? List.of(
+            new ComponentMutator.Pair("front_door", "rear_door", true),
+            new ComponentMutator.Pair("rear_door", "left_door", true),
+            new ComponentMutator.Pair("driver_seat", "middle_seat", false),
+            new ComponentMutator.Pair("left_gap", "right_gap", false),
+            new ComponentMutator.Pair("left_speed", "right_speed", false))
+        : List.of();
   }
 
   @ParameterizedTest

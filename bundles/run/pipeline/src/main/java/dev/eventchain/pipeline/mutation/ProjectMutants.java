@@ -122,7 +122,8 @@ final class ProjectMutants {
       for (int k = i + 1; k < names.size(); k++) {
         Optional<Data> second = input(node, names.get(k));
         if (first.isPresent() && second.isPresent() && isAlike(first.get(), second.get())) {
-          pairs.add(new ComponentMutator.Pair(names.get(i), names.get(k)));
+          boolean isBoolean = first.get().getType().equals("bool");
+          pairs.add(new ComponentMutator.Pair(names.get(i), names.get(k), isBoolean));
         }
       }
     }
