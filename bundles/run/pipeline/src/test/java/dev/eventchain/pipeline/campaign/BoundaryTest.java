@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Trial;
 import dev.eventchain.pipeline.campaign.plan.CampaignCase;
 import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignReader;
@@ -129,6 +130,26 @@ class BoundaryTest {
         "1 flip of 'the lane' along gap, to within 2, except for 1, where no case between has a"
             + " verdict\n",
         new CampaignSummary(plan, rows).text().split("(?<=\n)")[1]);
+  }
+
+  /** Some cases are to fail; a combination in which none passes is no pass. */
+  @ParameterizedTest
+  @CsvSource(
+      value = {
+        "pfpp | ffff | PASSED passed up to 0, failed from 8; failed up to 8, passed from 16 | SKIPPED no flip: failed throughout",
+        "ffff | f... | FAILED no flip: failed throughout | FAILED no flip: fewer than two verdicts",
+        "pppp | pppu | PASSED no flip: passed throughout | FAILED passed up to 16, not tested from 24",
+      },
+      delimiter = '|')
+  void eachCombinationIsATest(String one, String two, String first, String second)
+      throws IOException {
+    List<CampaignRow> rows = Stream.concat(line(1, one), line(2, two)).toList();
+    List<Trial> trials = new CampaignSummary(plan("resolution: 8"), rows).trials();
+    assertEquals(
+        List.of("a: speed = 1, along gap", "a: speed = 2, along gap"),
+        trials.stream().map(Trial::name).toList());
+    assertEquals(
+        List.of(first, second), trials.stream().map(it -> it.outcome() + " " + it.text()).toList());
   }
 
   private static CriterionMargin of(String name, Label label) {

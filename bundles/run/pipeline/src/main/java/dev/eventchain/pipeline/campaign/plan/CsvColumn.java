@@ -7,6 +7,7 @@ import dev.eventchain.documents.CsvRow;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.math.BigDecimal;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -50,7 +51,15 @@ final class CsvColumn {
       return NOTHING;
     }
     try {
-      return cells(name, column, SourceText.read(campaign.resolveSibling(name)));
+      Path file = campaign.resolveSibling(name);
+      if (!Files.exists(file)) {
+        String message = "There is no file '" + name + "'.";
+        part.find(
+            Diagnostic.of(CampaignRules.FACTOR, message, part.at("csv"))
+                .withHint("Name it by its path from the campaign file."));
+        return NOTHING;
+      }
+      return cells(name, column, SourceText.read(file));
     } catch (InvalidPathException e) {
       part.find(CampaignRules.VALUE_RANGE, "No file can be called like this.", part.at("csv"));
       return NOTHING;

@@ -115,14 +115,17 @@ public final class CampaignSummary {
   }
 
   /**
-   * Returns a test for each case, which failed if it did not pass; none where a boundary is
-   * searched, since cases are to fail there.
+   * Returns a test for each case, which failed if it did not pass; where a boundary is searched,
+   * for each combination of the other factors, since cases are to fail there.
    */
   public List<Trial> trials() {
+    return plan.boundary()
+        .map(it -> new BoundaryTrials(plan, it, rows).of(new BoundarySearch(it).lines(rows)))
+        .orElseGet(this::trialsOfCases);
+  }
+
+  private List<Trial> trialsOfCases() {
     List<Trial> trials = new ArrayList<>();
-    if (plan.boundary().isPresent()) {
-      return trials;
-    }
     Optional<CampaignPoints> points = CampaignPoints.of(plan, rows);
     for (int i = 0; i < rows.size(); i++) {
       CampaignRow row = rows.get(i);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.pipeline.campaign.Campaigns;
 import java.io.IOException;
@@ -138,6 +139,18 @@ class CampaignReaderTest {
         plans.stream()
             .map(plan -> plan.criteria().stream().map(it -> it.accept().toString()).toList())
             .toList());
+  }
+
+  @Test
+  void aTableThatIsNotThereIsFoundAtItsFactor() throws IOException {
+    Path file = folder.resolve("a.yaml");
+    Files.writeString(file, "scenario: s\nfactors: {f: {path: p, csv: no.csv, column: c}}\n");
+    Diagnostic found =
+        assertThrows(DiagnosticException.class, () -> CampaignReader.read(file))
+            .diagnostics()
+            .get(0);
+    assertEquals("There is no file 'no.csv'.", found.message());
+    assertEquals("/factors/f/csv", found.location().element());
   }
 
   /** A search goes between bounds by itself, and a grid has no end of values there. */
