@@ -258,6 +258,7 @@ class ProjectAnswersTest {
         SCENARIO + " | (ttc | in s: | ",
         SCENARIO + " | implies | `p implies q`: | ",
         "bench.yaml | ego.speed | in m/s: | ",
+        "bench.yaml | range_rate | float32 in km/h | ",
       })
   void namesAreDescribedAndLeadToTheirDeclarations(
       String file, String word, String about, String target) throws IOException {
@@ -298,6 +299,8 @@ class ProjectAnswersTest {
         SCENARIO + " | accept:\\n  formulas:\\n    - formula: /brake/re^ | /brake/request.active",
         "bench.yaml | provides:\\n  /radar/target:\\n    fields:\\n      valid: lead^ | lead.present, and",
         "bench.yaml | provides:\\n  /radar/target:\\n    rate_hz: ^ | ",
+        "bench.yaml | provides:\\n  /radar/target:\\n    fields:\\n      ran^ | range, range_rate, valid",
+        "bench.yaml | consumes:\\n  /brake/request: {fields: {act^ | active, acceleration",
         "bench.yaml | provides:\\n  /radar/target:\\n    fields:\\n      range: {value: g^ | gap",
         SCENARIO + " | title: the t^ | ",
       })

@@ -93,6 +93,15 @@ final class ProjectFiles {
     return found;
   }
 
+  /** Returns the described fields of a topic, with their types and units. */
+  Map<String, String> fieldsOf(String topic) {
+    return signals().stream()
+        .filter(each -> each.topic().equals(topic))
+        .findFirst()
+        .map(SignalTexts::fieldsOf)
+        .orElse(Map.of());
+  }
+
   private List<Signal> signals() {
     return base().flatMap(SoftwareBase::signals).orElse(List.of());
   }

@@ -54,10 +54,15 @@ final class ProjectNames {
       case BENCH ->
           path.equals(List.of("provides")) || path.equals(List.of("consumes"))
               ? project.topics()
-              : Map.of();
+              : isFields(path) ? project.fieldsOf(path.get(1)) : Map.of();
       case SETTINGS -> path.equals(List.of("strength", "requirements")) ? requirements() : Map.of();
       case SUPPRESSIONS, FAULTS, CAMPAIGN -> Map.of();
     };
+  }
+
+  /** Returns whether a path leads to the fields of a topic in a bench. */
+  static boolean isFields(List<String> path) {
+    return path.size() == 3 && path.get(2).equals("fields");
   }
 
   /** Returns the names that may be the value of a place, each with what is known about it. */

@@ -39,6 +39,13 @@ final class SignalTexts {
     return found;
   }
 
+  /** Returns the fields of a topic by their paths, with their types and units. */
+  static Map<String, String> fieldsOf(Signal signal) {
+    Map<String, String> found = new LinkedHashMap<>();
+    signal.fields().forEach(each -> found.put(each.path(), typed(each)));
+    return found;
+  }
+
   private static String typed(Signal.Field field) {
     return field.type() + (field.unit().isEmpty() ? "" : " in " + field.unit());
   }

@@ -61,6 +61,8 @@ final class YamlCompletion {
     return new YamlText(text)
         .place(offset)
         .filter(at -> names.at(kind, at).containsKey(word(at)))
+        .filter(
+            at -> !ProjectNames.isFields(at.path())) // their names are those of other things, too
         .map(this::word);
   }
 
