@@ -77,7 +77,7 @@ final class FieldRecord {
   private void addNamed(Object value) {
     double number =
         names.isText() ? names.numberOf(String.valueOf(value)) : ((Number) value).doubleValue();
-    names.nameOf(number).ifPresent(name -> seen.add(names.names().indexOf(name)));
+    names.namesOf(number).forEach(name -> seen.add(names.names().indexOf(name)));
     first = first.or(() -> Optional.of(number));
     follow(number != first.get(), 1);
   }

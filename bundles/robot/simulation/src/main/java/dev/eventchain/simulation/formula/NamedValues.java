@@ -59,12 +59,17 @@ public record NamedValues(List<Value> values, boolean isText) {
 
   /** Returns the first name of a number, in the unit of the signal. */
   public Optional<String> nameOf(double number) {
-    return Curve.at(number, values, Value::number).stream().map(Value::name).findFirst();
+    return namesOf(number).stream().findFirst();
+  }
+
+  /** Returns the names of a number, in the unit of the signal; constants may have one number. */
+  public List<String> namesOf(double number) {
+    return Curve.at(number, values, Value::number).stream().map(Value::name).toList();
   }
 
   /** Returns whether a number, in the unit of the signal, has a name, which others may have too. */
   boolean isNamed(double number, String name) {
-    return Curve.at(number, values, Value::number).stream().anyMatch(it -> it.name().equals(name));
+    return namesOf(number).contains(name);
   }
 
   /** Returns all numbers with names, and one without: even a text may be none of those known. */

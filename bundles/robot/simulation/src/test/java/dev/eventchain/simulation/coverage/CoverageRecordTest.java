@@ -37,8 +37,12 @@ class CoverageRecordTest {
               uint8 GEAR_PARK=0
               uint8 GEAR_DRIVE=1
               uint8 GEAR_REVERSE=2
+              uint8 MODE_OFF=0
+              uint8 MODE_NONE=0
+              uint8 MODE_ON=1
               std_msgs/Header header
               uint8 gear
+              uint8 mode
               bool left
               bool right
               float32 yaw_rate
@@ -234,6 +238,14 @@ class CoverageRecordTest {
     driver("gear", 2);
     driver("left", true);
     assertTrue(kinds().isEmpty(), () -> found().toString());
+  }
+
+  /** A number may have two constants, as in the actions of a marker. */
+  @Test
+  void aValueWithTwoNamesHasBoth() {
+    input("/driver", "demo_msgs/msg/Driver", "mode", "");
+    driver("mode", 0, 1);
+    assertEquals(List.of("/driver.mode: MODE_OFF, MODE_NONE, MODE_ON, 1; "), found());
   }
 
   @Test
