@@ -94,11 +94,15 @@ final class FieldNames {
     return isWhole ? (Object) (long) number : (Object) number;
   }
 
-  /** Adds the nearest name to a finding about a value that is no name. */
+  /** Adds a hint to a finding about a value that is no name, or that of several numbers. */
   static Diagnostic hinted(Diagnostic finding, Object value, NamedValues names) {
-    return value instanceof String text && !names.isEmpty()
-        ? finding.withHint(NearestName.hint(text, names.names()))
-        : finding;
+    if (!(value instanceof String text) || names.isEmpty()) {
+      return finding;
+    }
+    return finding.withHint(
+        names.names().contains(text)
+            ? "Several numbers have this name: write one of them."
+            : NearestName.hint(text, names.names()));
   }
 
   /** Returns the constants of a message that name values of a field. */

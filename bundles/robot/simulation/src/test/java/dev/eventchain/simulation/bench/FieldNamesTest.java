@@ -36,6 +36,14 @@ class FieldNamesTest {
                 "/gear",
                 "std_msgs/msg/UInt8",
                 new Values(NONE, NONE, List.of(), List.of(new NamedNumber("Reverse", 7)))),
+            signal(
+                "/mode",
+                "std_msgs/msg/UInt8",
+                new Values(
+                    NONE,
+                    NONE,
+                    List.of(),
+                    List.of(new NamedNumber("Reserved", 3), new NamedNumber("Reserved", 4)))),
             signal("/free", "std_msgs/msg/String", Values.ANY),
             signal("/door", "demo_msgs/msg/GarageGate", Values.ANY),
             sign("/sign", "km/h"),
@@ -100,14 +108,17 @@ class FieldNamesTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"/gear, std_msgs/msg/UInt8, data, Revers, Reverse"})
-  void aNameThatTheFieldDoesNotHaveIsRefused(
-      String topic, String type, String path, String name, String meant) {
+  @CsvSource({
+    "/gear, std_msgs/msg/UInt8, data, Revers, Did you mean `Reverse`?",
+    "/mode, std_msgs/msg/UInt8, data, Reserved, Several numbers have this name: write one of them."
+  })
+  void aNameThatIsNoNumberIsRefused(
+      String topic, String type, String path, String name, String hint) {
     DiagnosticException refused =
         assertThrows(DiagnosticException.class, () -> bench(constant(topic, type, path, name)));
     Diagnostic finding = refused.diagnostics().get(0);
     assertEquals("bench.value.type", finding.id());
-    assertEquals("Did you mean `" + meant + "`?", finding.hint());
+    assertEquals(hint, finding.hint());
   }
 
   private static String constant(String topic, String type, String path, String name) {
