@@ -43,13 +43,6 @@ class ArxmlSendersTest {
       </CAN-CLUSTER-VARIANTS></CAN-CLUSTER>
       """;
 
-  private static final String GROUP =
-      """
-      <I-SIGNAL-I-PDU-GROUP><SHORT-NAME>G%d</SHORT-NAME><CONTAINED-I-SIGNAL-I-PDU-GROUP-REFS>
-      <CONTAINED-I-SIGNAL-I-PDU-GROUP-REF>/P/G%d</CONTAINED-I-SIGNAL-I-PDU-GROUP-REF>
-      </CONTAINED-I-SIGNAL-I-PDU-GROUP-REFS></I-SIGNAL-I-PDU-GROUP>
-      """;
-
   @TempDir private Path folder;
 
   private List<Role> roles(String node, String... elements) throws IOException {
@@ -97,7 +90,17 @@ class ArxmlSendersTest {
     int last = 20_000;
     String groups =
         IntStream.range(0, last)
-            .mapToObj(i -> String.format(Locale.ROOT, GROUP, i, i + 1))
+            .mapToObj(
+                i ->
+                    String.format(
+                        Locale.ROOT,
+                        """
+                        <I-SIGNAL-I-PDU-GROUP><SHORT-NAME>G%d</SHORT-NAME><CONTAINED-I-SIGNAL-I-PDU-GROUP-REFS>
+                        <CONTAINED-I-SIGNAL-I-PDU-GROUP-REF>/P/G%d</CONTAINED-I-SIGNAL-I-PDU-GROUP-REF>
+                        </CONTAINED-I-SIGNAL-I-PDU-GROUP-REFS></I-SIGNAL-I-PDU-GROUP>
+                        """,
+                        i,
+                        i + 1))
             .collect(Collectors.joining());
     String sending =
         String.format(
