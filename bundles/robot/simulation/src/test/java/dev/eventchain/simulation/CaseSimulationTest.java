@@ -26,7 +26,7 @@ class CaseSimulationTest {
 
   @TempDir Path folder;
 
-  /** What waits for something that never comes might have been in the way. */
+  /** A car that waits for something that never comes might have been in the way. */
   @ParameterizedTest
   @CsvSource({
     "no_impact: true, 0, PASSED",
