@@ -143,15 +143,12 @@ public final class CaseSimulation {
     List<String> open = new ArrayList<>();
     List<String> untested = new ArrayList<>();
     boolean met = false;
-    boolean nothingAhead = false;
     for (CriterionResult each : judge.criteriaWithoutEvidence(run)) {
       Expectation criterion = criterion(run, each);
       if (judge.isUnasked(criterion, run)) {
         continue; // correct software need not come to it
       }
-      boolean spared = isSpared(judge, criterion, run);
-      nothingAhead |= spared;
-      Label own = spared ? Label.PASSED : label(each);
+      Label own = isSpared(judge, criterion, run) ? Label.PASSED : label(each);
       criteria.add(margin(each, own));
       met |= own == Label.PASSED && !criterion.isOfEveryScenario();
       if (own != Label.PASSED) {
@@ -166,11 +163,25 @@ public final class CaseSimulation {
     Label label = !failed.isEmpty() ? Label.FAILED : Label.UNTESTED;
     label = failed.isEmpty() && open.isEmpty() && met ? Label.PASSED : label;
     List<String> reasons = Stream.of(failed, open, untested).flatMap(List::stream).toList();
-    boolean passed = label == Label.PASSED;
-    String reason = passed || reasons.isEmpty() ? "" : reasons.get(0);
+    String reason = label == Label.PASSED || reasons.isEmpty() ? "" : reasons.get(0);
+    boolean spared = label == Label.PASSED && isSpared(judge, run);
+    return result(run, label, reason, criteria, spared);
+  }
+
+  private static CaseResult result(
+      ScenarioRun run,
+      Label label,
+      String reason,
+      List<CriterionMargin> criteria,
+      boolean nothingAhead) {
     double end = run.trace().end().time() / 1e9;
-    return new CaseResult(
-        label, reason, criteria, run.trace().impactSpeed(), end, passed && nothingAhead);
+    return new CaseResult(label, reason, criteria, run.trace().impactSpeed(), end, nothingAhead);
+  }
+
+  private static boolean isSpared(ScenarioJudge judge, ScenarioRun run) {
+    return run.scenario().criteria().stream()
+        .filter(each -> !judge.isUnasked(each, run))
+        .anyMatch(each -> isSpared(judge, each, run));
   }
 
   private static boolean isUnjudgedImpact(ScenarioRun run) {

@@ -48,7 +48,7 @@ final class RayDriver implements AutoCloseable {
   private final Writer input;
   private final Duration longestSilence;
 
-  /** What it says; empty once it has ended. */
+  /** Lines from it, and an empty one once it has ended. */
   private final BlockingQueue<Optional<String>> output = new LinkedBlockingQueue<>();
 
   /**
