@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from component_values import Codec, MalformedError, Objects
+from component_values import PLAIN_OBJECTS, Codec, MalformedError, Objects, PlainMessage
 
 MUTANTS = 5_000
 
@@ -134,6 +134,16 @@ def test_what_is_sent_may_grow() -> None:
     parts = codec.write({"history": kept})
     kept.append(2.0)
     assert codec.read(b"".join(map(bytes, parts))) == {"history": array("f", [1.0])}
+
+
+def test_messages_without_classes_come_back_as_objects_with_attributes() -> None:
+    echo = PlainMessage("demo_msgs/Echo", {"distance": 1.5, "place": PlainMessage("Point", {"x": -2.0})})
+    data = b"".join(map(bytes, Codec(PLAIN_OBJECTS).write([echo])))
+    (read,) = Codec(PLAIN_OBJECTS).read(data)
+    assert (read.distance, read.place.x) == (1.5, -2.0)
+    assert repr(read) == repr(echo) == "demo_msgs/Echo(distance=1.5, place=Point(x=-2.0))"
+    with pytest.raises(MalformedError):
+        Codec().read(data)
 
 
 def test_what_contains_itself_cannot_be_sent() -> None:

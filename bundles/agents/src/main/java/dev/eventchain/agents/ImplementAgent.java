@@ -5,6 +5,7 @@ import dev.eventchain.agents.chain.ChainView;
 import dev.eventchain.agents.chain.RequirementCheck;
 import dev.eventchain.agents.component.ComponentTester;
 import dev.eventchain.agents.component.ImplementationCheck;
+import dev.eventchain.agents.prompt.MessageText;
 import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -25,6 +26,9 @@ import java.util.function.Function;
  */
 public final class ImplementAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("implement/v1");
+  private static final String MESSAGES_IN_CODE =
+      "A message arrives as an object whose fields are attributes, an array of messages as a sequence"
+          + " of such objects, which may be empty. Their classes are not there to be imported:";
   private static final PromptTemplate VERDICT = PromptTemplate.load("verdict/v1");
 
   private final AgentContext context;
@@ -115,16 +119,17 @@ public final class ImplementAgent {
     return "components/" + component + ".py";
   }
 
-  private static Map<String, String> values(
-      ChainView.Component described, Requirements requirements) {
+  private Map<String, String> values(ChainView.Component described, Requirements requirements) {
     return Map.of(
-        "requirements", RuleText.items(RequirementCheck.own(described.json(), requirements)),
+        "requirements",
+        RuleText.items(RequirementCheck.own(described.json(), requirements)),
         "Description of target software extracted from the event chain description.",
-            JsonLayout.compact(NotAsked.without(described.json())));
+        JsonLayout.compact(NotAsked.without(described.json()))
+            + MessageText.ofValues(described.inputTypes(), context.messages(), MESSAGES_IN_CODE));
   }
 
   private Function<SourceText, List<Diagnostic>> check(
       ChainView.Component described, Optional<ComponentTester> tests) {
-    return new ImplementationCheck(probe, described, tests, signals)::check;
+    return new ImplementationCheck(probe, described, tests, signals, context.messages())::check;
   }
 }

@@ -5,6 +5,7 @@ import dev.eventchain.agents.chain.ChainView;
 import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.agents.chain.RequirementCheck;
 import dev.eventchain.agents.component.ComponentTester;
+import dev.eventchain.agents.prompt.MessageText;
 import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -25,6 +26,10 @@ import java.util.Optional;
 public final class TestAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("test/v1");
   private static final PromptTemplate AGAIN = PromptTemplate.load("retest/v1");
+
+  private static final String MESSAGES_IN_TESTS =
+      "In \"inputs\", a message is an object with each of its fields by its name, a message within"
+          + " it likewise, and an array of messages is an array of such objects:";
 
   private final AgentContext context;
 
@@ -84,10 +89,13 @@ public final class TestAgent {
     return ProjectLayout.TESTS + "/" + component + ".json";
   }
 
-  private static Map<String, String> values(Component described, Requirements requirements) {
+  private Map<String, String> values(Component described, Requirements requirements) {
     return Map.of(
-        "requirements", RuleText.items(RequirementCheck.own(described.json(), requirements)),
-        "description", JsonLayout.compact(NotAsked.without(described.json())));
+        "requirements",
+        RuleText.items(RequirementCheck.own(described.json(), requirements)),
+        "description",
+        JsonLayout.compact(NotAsked.without(described.json()))
+            + MessageText.ofValues(described.inputTypes(), context.messages(), MESSAGES_IN_TESTS));
   }
 
   static List<Diagnostic> check(SourceText text, Component component, Requirements requirements) {

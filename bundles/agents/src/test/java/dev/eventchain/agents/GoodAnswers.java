@@ -100,7 +100,13 @@ final class GoodAnswers {
               AnswerKind.PYTHON,
               text,
               existing,
-              new ImplementationCheck(probe, component, Optional.empty(), List.of())::check,
+              new ImplementationCheck(
+                      probe,
+                      component,
+                      Optional.empty(),
+                      List.of(),
+                      () -> MessageCatalog.of(List.of()))
+                  ::check,
               GoodAnswers::changedLines));
     }
     return answers;

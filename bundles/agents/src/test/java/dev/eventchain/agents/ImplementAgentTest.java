@@ -13,6 +13,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.Signal;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.sandbox.ComponentProbe;
@@ -51,7 +52,8 @@ class ImplementAgentTest {
             probe,
             ChainView.of(JsonDocument.parse(CHAIN).root()).components().get(0),
             Optional.empty(),
-            List.of());
+            List.of(),
+            () -> MessageCatalog.of(List.of()));
     List<Diagnostic> found = check.check(SourceText.read(file));
     FindingLines.check(file, found);
   }
@@ -166,7 +168,11 @@ class ImplementAgentTest {
   private static int failures(SourceText chain, List<Signal> signals, String statement) {
     ImplementationCheck check =
         new ImplementationCheck(
-            probe, ChainView.component(chain, "Time_Left"), Optional.empty(), signals);
+            probe,
+            ChainView.component(chain, "Time_Left"),
+            Optional.empty(),
+            signals,
+            () -> MessageCatalog.of(List.of()));
     String head = "def execute(self, distances, speed):\n";
     String code = text("right.py").replace(head, head + "        " + statement + "\n");
     assertNotEquals(text("right.py"), code);

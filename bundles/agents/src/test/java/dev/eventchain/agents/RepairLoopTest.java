@@ -13,6 +13,7 @@ import dev.eventchain.diagnostics.Rule;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.chat.ChatMessage;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
+import dev.eventchain.messages.MessageCatalog;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -129,7 +130,13 @@ class RepairLoopTest {
 
   private AgentResult run(ScriptedModel asked, int repairs) {
     AgentContext context =
-        new AgentContext(asked, repairs, accepted, progress::add, exchange -> {});
+        new AgentContext(
+            asked,
+            repairs,
+            accepted,
+            progress::add,
+            exchange -> {},
+            () -> MessageCatalog.of(List.of()));
     return new RepairLoop(context, "design", AnswerKind.JSON)
         .run("a.json", PROMPT, Map.of("what", "JSON"), Optional.empty(), RepairLoopTest::check);
   }

@@ -35,6 +35,11 @@ public record ChainView(List<ChainView.Component> components) {
       return outputs.stream().flatMap(port -> port.values().stream()).toList();
     }
 
+    /** Returns the types of its inputs as message definitions write them. */
+    public List<String> inputTypes() {
+      return inputValues().stream().map(Value::type).toList();
+    }
+
     /** Returns the signature required of its class. */
     public ComponentSignature signature() {
       return new ComponentSignature(

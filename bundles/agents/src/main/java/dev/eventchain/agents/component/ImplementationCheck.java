@@ -4,6 +4,7 @@ import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.Signal;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.sandbox.WorkFolder;
@@ -12,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * Checks that a Python module is the component that the chain describes, and handles inputs at
@@ -22,18 +24,22 @@ public final class ImplementationCheck {
   private final Component component;
   private final Optional<ComponentTester> tests;
   private final List<Signal> signals;
+  private final ProbeMessages messages;
 
   /**
    * Creates a check.
    *
    * @param tests the tests of the component, if it has any
    * @param signals the vehicle's signals, at whose limits the component is called, too
+   * @param messages gives the message types, of which inputs may be
    */
   public ImplementationCheck(
       ComponentProbe probe,
       Component component,
       Optional<ComponentTester> tests,
-      List<Signal> signals) {
+      List<Signal> signals,
+      Supplier<MessageCatalog> messages) {
+    this.messages = new ProbeMessages(messages);
     this.probe = probe;
     this.component = component;
     this.tests = tests;
@@ -52,7 +58,8 @@ public final class ImplementationCheck {
           probe.check(
               file,
               component.signature(),
-              ProbeCalls.of(component.inputValues(), SignalLimits.of(component, signals)));
+              ProbeCalls.of(
+                  component.inputValues(), SignalLimits.of(component, signals), messages));
       if (found.isEmpty()) {
         found = tests.map(each -> each.run(probe, file)).orElse(List.of());
       }

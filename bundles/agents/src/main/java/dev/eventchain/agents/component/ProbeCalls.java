@@ -21,13 +21,14 @@ final class ProbeCalls {
   private final List<List<ProbeValue>> values;
   private final List<ComponentCall> calls = new ArrayList<>();
 
-  private ProbeCalls(List<Value> inputs, SignalLimits limits) {
+  private ProbeCalls(List<Value> inputs, SignalLimits limits, ProbeMessages messages) {
     this.inputs = inputs;
-    this.values = inputs.stream().map(input -> ProbeValue.of(input, limits.of(input))).toList();
+    this.values =
+        inputs.stream().map(input -> ProbeValue.of(input, limits.of(input), messages)).toList();
   }
 
-  static List<ComponentCall> of(List<Value> inputs, SignalLimits limits) {
-    ProbeCalls calls = new ProbeCalls(inputs, limits);
+  static List<ComponentCall> of(List<Value> inputs, SignalLimits limits, ProbeMessages messages) {
+    ProbeCalls calls = new ProbeCalls(inputs, limits, messages);
     calls.add("usual values", Map.of());
     calls.add("the same values again", Map.of());
     calls.addSingles();

@@ -1,6 +1,7 @@
 package dev.eventchain.agents.component;
 
 import dev.eventchain.agents.chain.ChainView;
+import dev.eventchain.agents.prompt.MessageText;
 import dev.eventchain.messages.UnitConversion;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -24,8 +25,12 @@ record ProbeValue(String name, Object value) {
    * can hold, in the unit of the component.
    *
    * @param limits further values that the field can hold
+   * @param messages the values of messages
    */
-  static List<ProbeValue> of(ChainView.Value input, List<Object> limits) {
+  static List<ProbeValue> of(ChainView.Value input, List<Object> limits, ProbeMessages messages) {
+    if (MessageText.isMessage(input.fieldType())) {
+      return ofMessages(input.fieldType(), messages);
+    }
     List<ProbeValue> probes = new ArrayList<>(of(input.fieldType()));
     all(limits.toArray()).stream()
         .filter(limit -> probes.stream().noneMatch(limit::isSame))
@@ -64,6 +69,28 @@ record ProbeValue(String name, Object value) {
       ProbeValue usual = scalars(element).get(0);
       arrays.add(array(element, usual, 0, "empty"));
       arrays.add(array(element, usual, 1, "a single " + usual.name()));
+    }
+    return arrays;
+  }
+
+  /** Returns messages, or arrays of some or none of them; of unknown ones, empty arrays only. */
+  private static List<ProbeValue> ofMessages(String type, ProbeMessages messages) {
+    int bracket = type.indexOf('[');
+    List<ProbeValue> single = messages.of(bracket < 0 ? type : type.substring(0, bracket));
+    if (bracket < 0) {
+      return single.isEmpty() ? of(type) : single;
+    }
+    String length = type.substring(bracket + 1).replace("]", "");
+    boolean fixed = length.matches("[1-9][0-9]{0,3}");
+    int count = fixed ? Integer.parseInt(length) : ARRAY_LENGTH;
+    List<ProbeValue> arrays = new ArrayList<>();
+    for (ProbeValue each : single) {
+      arrays.add(
+          new ProbeValue(
+              count + " times " + each.name(), Collections.nCopies(count, each.value())));
+    }
+    if (!fixed || single.isEmpty()) {
+      arrays.add(new ProbeValue("empty", List.of()));
     }
     return arrays;
   }

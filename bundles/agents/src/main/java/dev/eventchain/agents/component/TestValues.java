@@ -5,9 +5,13 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.DecimalNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.agents.prompt.MessageText;
+import dev.eventchain.sandbox.ComponentCall;
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -15,7 +19,7 @@ import java.util.Set;
  * Syntax of input values in tests. A number may be one of the texts {@code inf}, {@code -inf} and
  * {@code nan}, with or without the dot of YAML; {@code {from: A, step: B}} is A in the first call
  * of a step and B more in each that follows; {@code {count: N, of: V, at: {I: W}}} is an array of N
- * times V with W at index I.
+ * times V with W at index I. A message is an object with its fields.
  */
 final class TestValues {
   private static final int LONGEST = 1_000_000;
@@ -37,7 +41,9 @@ final class TestValues {
 
   /** Returns whether values of a type are single numbers. */
   static boolean isNumber(String type) {
-    return type.indexOf('[') < 0 && !Set.of("bool", "boolean", "string").contains(type);
+    return type.indexOf('[') < 0
+        && !MessageText.isMessage(type)
+        && !Set.of("bool", "boolean", "string").contains(type);
   }
 
   /**
@@ -118,12 +124,47 @@ final class TestValues {
   }
 
   private static Object scalar(JsonNode written, String type) throws Unfit {
+    if (MessageText.isMessage(type)) {
+      return message(written, type);
+    }
     return switch (type) {
       case "bool", "boolean" -> required(written.isBoolean(), written.asBoolean(), "true or false");
       case "string" -> required(written.isTextual(), written.asText(), "a string");
       case "float32", "float64", "float", "double" -> number(written);
       default -> wholeNumber(written);
     };
+  }
+
+  private static Object message(JsonNode written, String type) throws Unfit {
+    if (!written.isObject() || written.isEmpty()) {
+      throw new Unfit("an object with the fields of " + type);
+    }
+    Map<String, Object> fields = new LinkedHashMap<>();
+    for (var field : written.properties()) {
+      fields.put(field.getKey(), ofField(field.getValue(), type));
+    }
+    return new ComponentCall.Message(type, fields);
+  }
+
+  /** Returns the value of a field of a message, whose type the text shows. */
+  private static Object ofField(JsonNode written, String type) throws Unfit {
+    if (written.isArray()) {
+      List<Object> elements = new ArrayList<>();
+      for (JsonNode element : written) {
+        elements.add(ofField(element, type));
+      }
+      return elements;
+    }
+    if (written.isObject()) {
+      return message(written, type);
+    }
+    if (written.isIntegralNumber()) {
+      return wholeNumber(written);
+    }
+    Optional<Double> number = literal(written);
+    return number.isPresent()
+        ? number.get()
+        : written.isBoolean() ? (Object) written.asBoolean() : written.asText();
   }
 
   private static Object required(boolean fits, Object value, String wanted) throws Unfit {

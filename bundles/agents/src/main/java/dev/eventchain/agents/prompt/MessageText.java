@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -34,6 +35,39 @@ public final class MessageText {
         .distinct()
         .forEach(text::add);
     return text;
+  }
+
+  /**
+   * Returns the definitions of the messages among the values of a component, after a sentence about
+   * them; empty if none is a message.
+   *
+   * @param types the types of the values as message definitions write them
+   */
+  public static String ofValues(
+      List<String> types, Supplier<MessageCatalog> catalog, String sentence) {
+    List<String> names =
+        types.stream()
+            .map(MessageText::element)
+            .filter(MessageText::isMessage)
+            .map(RosNames::fullMessageType)
+            .distinct()
+            .toList();
+    if (names.isEmpty()) {
+      return "";
+    }
+    MessageText text = new MessageText(catalog.get());
+    names.forEach(text::add);
+    return "\n\n# Message types\n" + sentence + "\n" + text.definitions();
+  }
+
+  /** Returns whether a type, without the brackets of an array, is that of a message. */
+  public static boolean isMessage(String type) {
+    return type.indexOf('/') > 0;
+  }
+
+  private static String element(String type) {
+    int bracket = type.indexOf('[');
+    return bracket < 0 ? type : type.substring(0, bracket);
   }
 
   /** Skips unknown or invalid types, which the checks report. */

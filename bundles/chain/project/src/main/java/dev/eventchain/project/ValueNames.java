@@ -40,15 +40,14 @@ public final class ValueNames {
                         .distinct()
                         .toList())
             .orElse(List.of());
-    return stated.isEmpty()
-        ? signal.map(it -> constants(it, path)).orElse(List.of())
-        : stated;
+    return stated.isEmpty() ? signal.map(it -> constants(it, path)).orElse(List.of()) : stated;
   }
 
   private List<String> constants(Signal signal, String path) {
     return messages
         .find(signal.messageType())
-        .map(it -> FieldConstants.of(it, path, field -> signal.field(field).map(Signal.Field::unit)))
+        .map(
+            it -> FieldConstants.of(it, path, field -> signal.field(field).map(Signal.Field::unit)))
         .orElse(List.of())
         .stream()
         .map(ValueNames::name)

@@ -58,10 +58,7 @@ public final class FieldConstants {
 
   /** Returns whether a field has a unit, and another one of its type is described without one. */
   private static boolean isQuantityBesideOthers(
-      MessageType message,
-      FieldType type,
-      String field,
-      Function<String, Optional<String>> units) {
+      MessageType message, FieldType type, String field, Function<String, Optional<String>> units) {
     return units.apply(field).filter(it -> !it.isBlank()).isPresent()
         && message.fields().stream()
             .filter(it -> it.type().kind() == type.kind() && isWholeNumberOrText(it.type()))

@@ -13,6 +13,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Base64;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -172,7 +173,7 @@ public final class ComponentProbe {
     }
   }
 
-  /** Encodes arrays for {@code decode} of component_probe.py. */
+  /** Encodes arrays and messages for {@code decode} of component_probe.py. */
   private static Object encode(Object value) {
     if (value instanceof byte[] bytes) {
       return Map.of("$bytes", Base64.getEncoder().encodeToString(bytes));
@@ -182,6 +183,14 @@ public final class ComponentProbe {
     }
     if (value instanceof double[]) {
       return Map.of("$array", "d", "values", value);
+    }
+    if (value instanceof ComponentCall.Message message) {
+      Map<String, Object> fields = new LinkedHashMap<>();
+      message.fields().forEach((name, field) -> fields.put(name, encode(field)));
+      return Map.of("$message", message.type(), "fields", fields);
+    }
+    if (value instanceof List<?> list) {
+      return list.stream().map(ComponentProbe::encode).toList();
     }
     return value instanceof int[] ? Map.of("$array", "i", "values", value) : value;
   }

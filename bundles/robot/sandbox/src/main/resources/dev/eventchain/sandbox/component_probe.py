@@ -23,7 +23,7 @@ from component_client import ComponentError, ComponentProcess, ForkServer, Limit
 from component_results import Output
 from component_rules import STATE_HINT, Component, Finding, check_file
 from component_sources import check_needs
-from component_values import Codec
+from component_values import PLAIN_OBJECTS, Codec, PlainMessage
 
 REPEATED = 50
 """Number of calls that are made again on a second object: what differs differs at once."""
@@ -103,8 +103,9 @@ class Probe:
             "class": self._component.class_name,
             "path": [str(Path(self._file).parent)] if self._existing else [],
             "sources": [self._file],
+            "plain": True,
         }
-        return ComponentProcess(ForkServer.inherited(), description, self._limits)
+        return ComponentProcess(ForkServer.inherited(), description, self._limits, PLAIN_OBJECTS)
 
     def _call(
         self, process: ComponentProcess, call: dict[str, Any], returned: list[Any] | None = None
@@ -124,7 +125,7 @@ class Probe:
     def _check_state(self, process: ComponentProcess) -> list[Finding]:
         """Check for state outside the object, which would be visible in a second object."""
         process.make()
-        codec = Codec()
+        codec = Codec(PLAIN_OBJECTS)
         for call, first in zip(self._calls, self._returned, strict=False):
             arguments = {key: decode(value) for key, value in call["arguments"].items()}
             second = process.call((), arguments)
@@ -157,7 +158,9 @@ def decode(value: Any) -> Any:
         return array.array("B", base64.b64decode(value["$bytes"]))
     if isinstance(value, dict) and "$array" in value:
         return array.array(value["$array"], value["values"])
-    return value
+    if isinstance(value, dict) and "$message" in value:
+        return PlainMessage(value["$message"], {key: decode(field) for key, field in value["fields"].items()})
+    return [decode(item) for item in value] if isinstance(value, list) else value
 
 
 def plain(value: Any) -> Any:
@@ -171,4 +174,4 @@ if __name__ == "__main__":
     probe = Probe(json.loads(sys.stdin.read()))
     findings = probe.findings()
     results = [] if findings else probe.results()
-    print(json.dumps({"findings": [finding._asdict() for finding in findings], "results": results}))
+    print(json.dumps({"findings": [finding._asdict() for finding in findings], "results": results}, default=repr))

@@ -31,7 +31,7 @@ from types import FunctionType, ModuleType, TracebackType
 from typing import Any, NoReturn
 
 from component_rules import Component, Rules, decode
-from component_values import NO_OBJECTS, Codec, Objects
+from component_values import NO_OBJECTS, PLAIN_OBJECTS, Codec, Objects
 
 SHOW_STACK = SIGUSR1
 """The signal at which the process writes where it is."""
@@ -56,6 +56,7 @@ class ComponentProcess:
         channel: file descriptor to read questions from and to write answers to.
         description: `file`, `module` (its name), `class`, `path` (for `sys.path`), `sources` (folders or files whose
             lines are places of errors), `messages` (files with message definitions; absent: no message classes),
+            `plain` (true: messages are objects without classes),
             `seed` (of its random numbers; absent: always the same ones).
 
     """
@@ -68,7 +69,7 @@ class ComponentProcess:
         self._class_name: str = description["class"]
         self._sources: list[str] = description["sources"]
         self._seed: str = description.get("seed", "")
-        self._codec = Codec(_objects(description.get("messages")))
+        self._codec = Codec(_objects(description.get("messages"), description.get("plain", False)))
         self._module: ModuleType | None = None
         self._component: Any = None
         self._execute_place = 1, 1
@@ -219,10 +220,10 @@ def _column(trace: TracebackType) -> int:
     return 0 if column is None else column + 1
 
 
-def _objects(files: list[str] | None) -> Objects:
+def _objects(files: list[str] | None, plain: bool) -> Objects:
     """The message classes of the runtime, if its package is on the path."""
     if files is None:
-        return NO_OBJECTS
+        return PLAIN_OBJECTS if plain else NO_OBJECTS
     objects: Objects = importlib.import_module(MESSAGE_OBJECTS).serve(files)
     return objects
 

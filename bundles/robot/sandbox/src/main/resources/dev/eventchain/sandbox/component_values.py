@@ -75,6 +75,29 @@ def _no_type(name: str, _: dict[str, Any]) -> Any:
 NO_OBJECTS = Objects(lambda _: None, _no_type)
 
 
+class PlainMessage:
+    """A message whose class nobody has: its fields are attributes."""
+
+    def __init__(self, name: str, fields: dict[str, Any]) -> None:
+        self._name = name
+        self.__dict__.update(fields)
+
+    def __repr__(self) -> str:
+        return self._name + "(" + ", ".join(f"{key}={value!r}" for key, value in _fields(self).items()) + ")"
+
+
+def _fields(message: PlainMessage) -> dict[str, Any]:
+    return {key: value for key, value in vars(message).items() if key != "_name"}
+
+
+def _plain_message(value: Any) -> tuple[str, dict[str, Any]] | None:
+    return (value._name, _fields(value)) if type(value) is PlainMessage else None
+
+
+PLAIN_OBJECTS = Objects(_plain_message, PlainMessage)
+"""Messages without their classes, as checks of components give them."""
+
+
 class Codec:
     """Writes and reads values, one after the other.
 

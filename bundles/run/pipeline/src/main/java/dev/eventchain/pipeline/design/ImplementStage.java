@@ -32,9 +32,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 
 /** Implements the missing components of the chain: {@code components/*.py}. */
 public final class ImplementStage implements StageWork {
+  /** The type of a value that is a message or an array of messages. */
+  private static final Pattern MESSAGE_VALUE = Pattern.compile("\"type\"\\s*:\\s*\"\\w+/");
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
@@ -48,10 +51,20 @@ public final class ImplementStage implements StageWork {
     if (run.project().catalogue().isPresent()) {
       fingerprint.addFiles(run.project().signalFiles()); // components are called at their limits
     }
+    if (hasMessageValues(run)) {
+      fingerprint.addMessages(); // their definitions are in the prompts
+    }
     if (!TestFiles.ofProject(run.project()).isEmpty()) {
       fingerprint.addFiles(run.project().softwareBaseFiles()).addNode();
       fingerprint.addFiles(testedCode(run));
     }
+  }
+
+  /** Returns whether a value of a component is a message or an array of messages. */
+  private static boolean hasMessageValues(RunContext run) {
+    Path chain = run.file(ProjectFolder.DESCRIPTION);
+    return Files.isRegularFile(chain)
+        && MESSAGE_VALUE.matcher(SourceText.read(chain).text()).find();
   }
 
   /** Returns existing components for which people wrote tests, with all that they may import. */

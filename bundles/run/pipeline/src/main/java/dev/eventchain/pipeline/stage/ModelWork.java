@@ -107,7 +107,8 @@ public final class ModelWork {
         exchange -> {
           conversation(stage).add(said(exchange));
           sample.ifPresent(it -> it.add(purpose, exchange));
-        });
+        },
+        run::messages);
   }
 
   /** Returns a finding in an answer, located in the file that is written from the answer. */
