@@ -140,6 +140,13 @@ public final class MessageCatalog {
     return Optional.ofNullable(files.get(RosNames.fullMessageType(type)));
   }
 
+  /** Returns the files of the user that define services, by the full names of these. */
+  public SortedMap<String, Path> services() {
+    SortedMap<String, Path> services = new TreeMap<>();
+    filesOfServices.forEach((part, file) -> services.put(ServiceParser.serviceOf(part), file));
+    return services;
+  }
+
   /** Returns the full names of all types. */
   public SortedSet<String> names() {
     SortedSet<String> names = new TreeSet<>(standard.keySet());

@@ -30,6 +30,12 @@ final class ServiceParser {
     return List.of(service + REQUEST, service + RESPONSE);
   }
 
+  /** Returns the service of one of its message types. */
+  static String serviceOf(String message) {
+    String end = message.endsWith(REQUEST) ? REQUEST : RESPONSE;
+    return message.substring(0, message.length() - end.length());
+  }
+
   /** Returns whether a text is the full name of a service type. */
   static boolean isService(String name) {
     return SERVICE.matcher(name).matches();

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 
 /**
  * The files of a software base that describe software which exists: signals, components that are
@@ -44,6 +45,7 @@ public final class SoftwareBaseFiles {
   public static SortedMap<String, String> of(FoundSoftware software, MessageCatalog messages) {
     SoftwareBaseFiles files = new SoftwareBaseFiles(messages, software.questions());
     software.sources().forEach((name, text) -> files.files.put(NODES + name, text));
+    files.keepImported(List.copyOf(software.sources().values()));
     return files.write(software.nodes());
   }
 
@@ -86,11 +88,7 @@ public final class SoftwareBaseFiles {
 
   /** Returns whether there is a definition of a type, without asking for it again. */
   private boolean isDefined(String type) {
-    try {
-      return messages.find(type).isPresent();
-    } catch (DiagnosticException e) {
-      return false;
-    }
+    return found(type).isPresent();
   }
 
   private String components(List<DescribedNode> nodes) {
@@ -168,6 +166,44 @@ public final class SoftwareBaseFiles {
     return Optional.empty();
   }
 
+  /** Adds the definitions of messages and services that modules import, on topics or not. */
+  private void keepImported(List<String> sources) {
+    for (String name : messages.ownNames()) {
+      if (isImported(name, sources)) {
+        found(name).ifPresent(this::keep);
+      }
+    }
+    messages
+        .services()
+        .forEach(
+            (name, file) -> {
+              if (isImported(name, sources)) {
+                String path = SoftwareBaseNames.MESSAGES + "/" + name + ".srv";
+                files.put(path, SourceText.read(file).text());
+                found(name + "_Request").ifPresent(this::keepUsed);
+                found(name + "_Response").ifPresent(this::keepUsed);
+              }
+            });
+  }
+
+  /** Returns whether a module names a package and one of its types. */
+  private static boolean isImported(String type, List<String> sources) {
+    String[] parts = type.split("/");
+    Pattern word = Pattern.compile("\\b" + parts[2] + "\\b");
+    return sources.stream()
+        .filter(text -> text.contains(parts[0] + "." + parts[1]))
+        .anyMatch(text -> word.matcher(text).find());
+  }
+
+  /** Returns a type; empty where its definition is not valid, which the software's run reports. */
+  private Optional<MessageType> found(String type) {
+    try {
+      return messages.find(type);
+    } catch (DiagnosticException e) {
+      return Optional.empty();
+    }
+  }
+
   /** Adds the definition of a type of the workspace, and those that it uses. */
   private void keep(MessageType type) {
     Optional<Path> file = messages.file(type.name());
@@ -178,6 +214,10 @@ public final class SoftwareBaseFiles {
           SoftwareBaseNames.MESSAGES + "/" + type.name() + ending,
           SourceText.read(file.get()).text());
     }
+    keepUsed(type);
+  }
+
+  private void keepUsed(MessageType type) {
     type.fields().forEach(field -> field.type().message().ifPresent(this::keep));
   }
 

@@ -29,22 +29,31 @@ class LeftOutNodesTest {
     Files.createDirectories(source.resolve("base"));
     Files.writeString(source.resolve("package.xml"), "<package><name>base</name></package>");
     Files.writeString(
-        source.resolve("setup.py"), "setup(s=['odom = base.odom:main', 'unclear = base.odom:two'])");
+        source.resolve("setup.py"),
+        "setup(s=['odom = base.odom:main', 'unclear = base.odom:two'])");
     Files.writeString(source.resolve("base/__init__.py"), "");
+    Files.createDirectories(source.resolve("srv"));
+    Files.createDirectories(source.resolve("msg"));
+    Files.writeString(source.resolve("srv/SetMode.srv"), "Mode mode\n---\nbool done\n");
+    Files.writeString(source.resolve("srv/Other.srv"), "---\n");
+    Files.writeString(source.resolve("msg/Mode.msg"), "uint8 STAND=0\nuint8 value\n");
+    Files.writeString(source.resolve("msg/Limits.msg"), "float32 MOST=2.0\n");
+    Files.writeString(source.resolve("msg/Unused.msg"), "bool unused\n");
     Files.writeString(
         source.resolve("base/odom.py"),
         """
         import rclpy
         from nav_msgs.msg import Odometry
         from rclpy.node import Node
-        from std_srvs.srv import Trigger
+        from base.msg import Limits
+        from base.srv import SetMode
         from tf2_ros import TransformBroadcaster
 
         class Odom(Node):
             def __init__(self):
                 super().__init__("odom")
                 self.sender = TransformBroadcaster(self)
-                self.create_service(Trigger, "reset", self.reset)
+                self.create_service(SetMode, "mode", self.mode)
                 self.create_subscription(Odometry, "odom", self.read, 10)
 
             def read(self, message):
@@ -68,6 +77,10 @@ class LeftOutNodesTest {
     Map<String, String> files =
         SoftwareBaseFiles.of(
             Workspace.read(folder, Optional.empty(), PYTHON), MessageCatalog.of(List.of(folder)));
+    assertEquals(
+        List.of("msg/base/msg/Limits.msg", "msg/base/msg/Mode.msg", "msg/base/srv/SetMode.srv"),
+        files.keySet().stream().filter(each -> each.startsWith("msg/")).toList(),
+        "what the modules import");
     String components = files.get("components.json");
     assertFalse(components.contains("\"Odom\""), components);
     assertTrue(components.contains("\"Unclear\""), "what it writes is not known: " + components);

@@ -19,6 +19,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** Tests what is said about topics of a chain that a bench does not connect. */
@@ -126,6 +128,41 @@ class BenchCheckTest {
     String proposal = Bench.proposal(List.of(signal), MESSAGES, Map.of());
     assertTrue(proposal.contains("      range: "), proposal);
     assertFalse(proposal.contains("stamp"), proposal);
+  }
+
+  /** Units and axes of messages about the vehicle itself are standard; those of others are not. */
+  @Test
+  void proposalsKnowTheStateOfTheVehicleInStandardMessages() {
+    Field[] fields =
+        Stream.of(
+                "header.stamp.sec",
+                "pose.pose.position.x",
+                "pose.pose.orientation.w",
+                "twist.twist.linear.x",
+                "twist.twist.linear.y",
+                "twist.twist.angular.z")
+            .map(path -> new Field(path, "float64", "", SourceLocation.NONE))
+            .toArray(Field[]::new);
+    Function<String, String> of =
+        topic -> {
+          Signal odometry = signal(topic, "nav_msgs/msg/Odometry", Direction.PROVIDED, fields);
+          return Bench.proposal(List.of(odometry), MESSAGES, Map.of());
+        };
+    String own = of.apply("/robot/odom");
+    assertTrue(
+        own.contains(
+            """
+                fields:
+                  pose.pose.position.x: {value: ego.x, unit: m}
+                  pose.pose.orientation.w: ego.orientation.w
+                  twist.twist.linear.x: {value: ego.speed, unit: m/s}
+                  twist.twist.linear.y: 0
+                  twist.twist.angular.z: {value: ego.yaw_rate, unit: rad/s}
+            """),
+        own);
+    assertFalse(own.contains("stamp"), "stamps are set with each message");
+    String others = of.apply("/lead/odom");
+    assertTrue(others.contains("#      twist.twist.linear.x: ?"), others);
   }
 
   private static String proposal(String message, String type, String unit) {
