@@ -169,6 +169,8 @@ def test_parameters_are_described(simulation: Simulation) -> None:
     assert node.get_parameter_type("group.number") == Parameter.Type.INTEGER
     assert node.get_parameter_types(["nothing"]) == [Parameter.Type.NOT_SET]
     assert {name: each.value for name, each in node.get_parameters_by_prefix("group").items()} == {"number": 3}
+    node.declare_parameter("group.later", Parameter.Type.DOUBLE)
+    assert node.get_parameters_by_prefix("group")["later"].type_ == Parameter.Type.NOT_SET, "asking for all is no error"
     with pytest.raises(InvalidParameterValueException):
         node.set_descriptor("group.number", ParameterDescriptor(integer_range=[IntegerRange(from_value=5, to_value=9)]))
     assert node.set_descriptor("group.number", ParameterDescriptor(), 8).integer_value == 8

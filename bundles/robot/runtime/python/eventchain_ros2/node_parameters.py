@@ -54,7 +54,7 @@ class ParameterMethods:
         """Return the parameters whose names begin with a prefix and a dot, by the rest of their names."""
         start = f"{prefix}." if prefix else ""
         names = [name for name in self.__parameters.names() if name.startswith(start)]
-        return {name[len(start) :]: self.__parameters.get(name) for name in names}
+        return {name[len(start) :]: self.__parameters.as_declared(name) for name in names}
 
     def list_parameters(self, prefixes: list[str], depth: int) -> Any:
         """Return a `rcl_interfaces/msg/ListParametersResult`.

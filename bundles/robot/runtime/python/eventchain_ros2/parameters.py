@@ -202,6 +202,11 @@ class Parameters:
             raise ParameterUninitializedException(f"The parameter '{name}' is not initialized")
         return parameter
 
+    def as_declared(self, name: str) -> Parameter:
+        """Return a declared parameter; one that was declared with a type only, without that."""
+        parameter = self._declared[name]
+        return Parameter(name) if parameter.value is None else parameter
+
     def set(self, parameters: Iterable[Parameter]) -> str:
         """Set declared parameters to values of their types, all of them or none; return the reason for none.
 
