@@ -142,6 +142,17 @@ class ProjectAnswersTest {
     assertTrue(model.contains("  RAD-1\n"), model);
   }
 
+  @Test
+  void longAndHalfTypedTextsHaveAnOutline() {
+    String longest = "x".repeat(200_000);
+    String json = "[{\"name\": \"a\", \"about\": \"" + longest + "\"}, {\"name\": \"b\", ";
+    assertEquals("a\nb\n", outline(analysis("a.json", Optional.of(json)).symbols(), ""));
+    String model = "<a name=\"a\" about='" + longest + "'><b " + longest + " name=\"b\"/><c name=";
+    assertEquals("a\n  b\n", outline(analysis("a.xmi", Optional.of(model)).symbols(), ""));
+    String yaml = "a: " + longest + "\nb:\n" + "- ".repeat(2_000) + "c";
+    assertEquals(2, analysis("a.yaml", Optional.of(yaml)).symbols().size());
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {

@@ -27,7 +27,7 @@ final class JsonOutline {
 
   private static final Pattern TOKEN =
       Pattern.compile(
-          "\"((?:[^\"\\\\\\n]|\\\\.)*)\"(?:\\s*:\\s*\"((?:[^\"\\\\\\n]|\\\\.)*)\")?|[{}]");
+          "\"((?:[^\"\\\\\\n]++|\\\\.)*+)\"(?:\\s*:\\s*\"((?:[^\"\\\\\\n]++|\\\\.)*+)\")?|[{}]");
 
   /** An object. */
   private static final class Part {

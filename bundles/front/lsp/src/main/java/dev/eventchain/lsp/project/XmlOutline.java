@@ -17,7 +17,7 @@ final class XmlOutline {
 
   private static final Pattern TAG =
       Pattern.compile(
-          "<!--.*?-->|<(/?)([A-Za-z_][\\w:.-]*)((?:[^<>\"']|\"[^\"<]*\"|'[^'<]*')*+)>",
+          "<!--.*?-->|<(/?)([A-Za-z_][\\w:.-]*)((?:[^<>\"']++|\"[^\"<]*+\"|'[^'<]*+')*+)>",
           Pattern.DOTALL);
 
   /** The attribute that names an element; of a requirement, its id. */
