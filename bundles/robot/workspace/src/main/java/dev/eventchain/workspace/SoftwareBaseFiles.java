@@ -188,8 +188,8 @@ public final class SoftwareBaseFiles {
 
   /** Returns whether a module names a package and one of its types. */
   private static boolean isImported(String type, List<String> sources) {
-    String[] parts = type.split("/");
-    Pattern word = Pattern.compile("\\b" + parts[2] + "\\b");
+    String[] parts = type.split("/", 3);
+    Pattern word = Pattern.compile("\\b" + Pattern.quote(parts[2]) + "\\b");
     return sources.stream()
         .filter(text -> text.contains(parts[0] + "." + parts[1]))
         .anyMatch(text -> word.matcher(text).find());
