@@ -296,8 +296,10 @@ class LaunchFilesTest {
     write("none.txt", "");
     source(
         "CMakeLists.txt",
-        "add_library(parts SHARED src/relay.cpp)\n"
-            + "rclcpp_components_register_node(parts PLUGIN \"parts::Relay\" EXECUTABLE relay)\n");
+        """
+        add_library(parts SHARED src/relay.cpp)
+        rclcpp_components_register_node(parts PLUGIN "parts::Relay" EXECUTABLE relay)
+        """);
     source(
         "src/relay.cpp",
         """

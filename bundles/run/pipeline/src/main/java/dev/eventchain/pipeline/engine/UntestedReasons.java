@@ -65,7 +65,7 @@ record UntestedReasons(
         }
       }
     }
-    String more = untested.size() > 1 ? " (and %d more)".formatted(untested.size() - 1) : "";
+    String more = untested.size() > 1 ? " (and " + (untested.size() - 1) + " more)" : "";
     return untested.stream().findFirst().map(it -> it + more);
   }
 }
