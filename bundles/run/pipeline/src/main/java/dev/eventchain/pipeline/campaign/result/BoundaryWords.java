@@ -5,6 +5,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 
 /** Statements about the boundary of a campaign: what was found, and what was not. */
@@ -69,12 +70,13 @@ final class BoundaryWords {
     if (few > 0) {
       parts.add(few + " with fewer than two verdicts");
     }
-    return "no flip between the values of %s in %d of %s of the others: %s"
-        .formatted(
-            factor(),
-            quiet.size(),
-            Coverage.counted(lines.size(), "combination"),
-            String.join(", ", parts));
+    return String.format(
+        Locale.ROOT,
+        "no flip between the values of %s in %d of %s of the others: %s",
+        factor(),
+        quiet.size(),
+        Coverage.counted(lines.size(), "combination"),
+        String.join(", ", parts));
   }
 
   private static boolean isThroughout(BoundarySearch.Line line, Label label) {
