@@ -15,7 +15,7 @@ import java.util.stream.IntStream;
 
 /** Messages to probe an input with, or the elements of one that is an array. */
 final class ProbeMessages {
-  /** How many values a number is probed with, at most. */
+  /** The most values that a number is probed with. */
   private static final int MOST = 10;
 
   private final Supplier<MessageCatalog> catalog;
