@@ -184,6 +184,31 @@ class InitTest {
             .replaceFirst("(?s).*(?=accept:)", ""));
   }
 
+  /**
+   * Without a command it would run into what stands there, so that standing still proves nothing.
+   */
+  @Test
+  void theFirstScenarioOfARobotIsOneThatItCanDrive() throws IOException {
+    Path project = folder.resolve("robot");
+    Path base = Files.createDirectories(project.resolve("software-base"));
+    Files.writeString(
+        base.resolve("signals.json"),
+        """
+        [
+          {"Topic Name": "/odom", "Message Type": "nav_msgs/msg/Odometry", "direction": "provided",
+           "Message Definition": [{"Field": "twist.twist.linear.x", "Type": "float64"}]},
+          {"Topic Name": "/cmd_vel", "Message Type": "geometry_msgs/msg/Twist", "direction": "consumed",
+           "Message Definition": [{"Field": "linear.x", "Type": "float64"}]}
+        ]
+        """);
+    new Program().run("init", project).expect(0).says("scenarios/obstacle-ahead.yaml");
+    String scenario = Files.readString(project.resolve("scenarios/obstacle-ahead.yaml"));
+    assertTrue(scenario.contains("  speed_kmh: 2\nactors:\n  - gap_m: 8\n"), scenario);
+    String bench = Files.readString(project.resolve("bench.yaml"));
+    assertTrue(bench.contains("twist.twist.linear.x: {value: ego.speed, unit: m/s}"), bench);
+    assertTrue(bench.contains("linear.x: {drives: speed, unit: m/s}"), bench);
+  }
+
   @Test
   void componentsThatNameOtherRequirementsAreRefusedBeforeAnythingIsWritten() throws IOException {
     Path project = folder.resolve("other");
@@ -238,7 +263,8 @@ class InitTest {
     String bench = Files.readString(project.resolve("bench.yaml"));
     assertTrue(bench.contains("    sensor: lidar\n"), bench);
     assertTrue(bench.contains("      velocity: ego.speed\n"), bench);
-    assertTrue(bench.contains("#      pose.pose.orientation.z: ? # 1\n"), bench);
+    assertTrue(bench.contains("      pose.pose.orientation.z: ego.orientation.z\n"), bench);
+    assertTrue(bench.contains("#      control.brake: ? # 1\n"), bench);
     assertTrue(bench.contains("#   inputs:\n#     my.control_brake: {value: 0}\n"), bench);
     assertTrue(bench.contains("      brake: brake\n"), bench);
     assertTrue(bench.contains("      hand_brake: hand_brake\n"), bench);

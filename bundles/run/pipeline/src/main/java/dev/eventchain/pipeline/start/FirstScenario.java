@@ -83,6 +83,7 @@ record FirstScenario(String name, String text) {
             .formatted(ids, judged, field));
   }
 
+  /** Without a command, the robot goes on as it began, and would run into what stands there. */
   private static FirstScenario robot(String ids, String judged) {
     return new FirstScenario(
         "obstacle-ahead",
@@ -92,7 +93,7 @@ record FirstScenario(String name, String text) {
         requirements: %s
         duration_s: 40
         ego:
-          speed_kmh: 0
+          speed_kmh: 2
         actors:
           - gap_m: 8
             speed_kmh: 0
@@ -102,13 +103,8 @@ record FirstScenario(String name, String text) {
           judges:
             no_impact:
         %s
-          formulas:
-            - name: it sets off
-              judges:
-        %s
-              formula: eventually[0, 20] ego.speed > 0.05 m/s
         """
-            .formatted(ids, judged, judged.indent(2).stripTrailing()));
+            .formatted(ids, judged));
   }
 
   private static FirstScenario stopped(String ids, String judged) {
