@@ -1,27 +1,21 @@
 package dev.eventchain.workspace;
 
-import dev.eventchain.diagnostics.SourceText;
-import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Function;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /** Nodes that a launch file starts without arguments, in its order. */
 final class LaunchRun {
 
   private static final int DEEPEST = 20;
   private static final int MOST_INCLUDES = 2_000;
-  private static final Pattern SHARE =
-      Pattern.compile("\\$\\(find-pkg-share '?([^)' ]+)'?\\)/+(.+)");
-  private static final Pattern HERE = Pattern.compile("\\$\\(dirname\\)/+(.+)");
 
-  /** What belongs to a container and is no node. */
+  /** Elements of a container that are no nodes. */
   private static final Set<String> CONTAINED = Set.of("param", "remap", "env");
 
   private static final Set<String> WITHOUT_NODES =
@@ -47,31 +41,22 @@ final class LaunchRun {
       int line) {}
 
   /**
-   * Files and packages that launch files refer to.
-   *
-   * @param files elements of all launch files by their names in the workspace
-   * @param packages the folders of packages in the workspace, by the names of packages
-   * @param texts returns the text of a file by its name in the workspace
-   */
-  record Sources(
-      Map<String, List<LaunchElement>> files,
-      Map<String, String> packages,
-      Function<String, Optional<SourceText>> texts) {}
-
-  /**
    * A timer or an event handler, whose nodes are started later.
    *
    * @param nodes those that it starts in the scope in which it stands
    */
   private record Later(LaunchElement element, List<Started> nodes, int depth) {}
 
-  private final Sources sources;
+  private final LaunchSources sources;
   private final List<OpenQuestion> questions;
   private final List<Started> started = new ArrayList<>();
   private final List<Later> later = new ArrayList<>();
 
   /** Groups that may leave remappings or parameters behind for nodes that are started later. */
   private final List<LaunchElement> leaking = new ArrayList<>();
+
+  /** Questions about each element, which a file that is included twice has twice. */
+  private final Map<LaunchElement, Set<String>> asked = new IdentityHashMap<>();
 
   private final Set<String> included = new TreeSet<>();
   private final boolean isWhole;
@@ -82,7 +67,7 @@ final class LaunchRun {
    *
    * @param isWhole whether what conditions exclude is followed, too
    */
-  private LaunchRun(Sources sources, List<OpenQuestion> questions, boolean isWhole) {
+  private LaunchRun(LaunchSources sources, List<OpenQuestion> questions, boolean isWhole) {
     this.sources = sources;
     this.questions = questions;
     this.isWhole = isWhole;
@@ -93,7 +78,7 @@ final class LaunchRun {
    *
    * @param questions receives what is not known
    */
-  static List<Started> of(String file, Sources sources, List<OpenQuestion> questions) {
+  static List<Started> of(String file, LaunchSources sources, List<OpenQuestion> questions) {
     LaunchRun run = new LaunchRun(sources, questions, false);
     LaunchScope scope = new LaunchScope();
     run.file(file, scope, 0);
@@ -102,8 +87,9 @@ final class LaunchRun {
   }
 
   /** Returns the files that no other file includes. */
-  static List<String> roots(Sources sources) {
-    Sources unread = new Sources(sources.files(), sources.packages(), name -> Optional.empty());
+  static List<String> roots(LaunchSources sources) {
+    LaunchSources unread =
+        new LaunchSources(sources.files(), sources.packages(), name -> Optional.empty());
     Set<String> included = new TreeSet<>();
     for (String file : sources.files().keySet()) {
       for (boolean isWhole : List.of(true, false)) {
@@ -257,10 +243,15 @@ final class LaunchRun {
     Optional<String> file =
         scope
             .path(element, "file")
-            .flatMap(it -> located(it, element.file()))
+            .flatMap(it -> sources.located(it, element.file()))
             .filter(sources.files()::containsKey);
     if (file.isEmpty() || depth > DEEPEST || ++includes > MOST_INCLUDES) {
-      ask(element, "Which nodes does the included launch file start? It is not in the workspace.");
+      ask(
+          element,
+          "Which nodes does the included launch file start? "
+              + (file.isEmpty()
+                  ? "It is not in the workspace."
+                  : "Files include each other too deeply or too often."));
       return;
     }
     included.add(file.get());
@@ -274,22 +265,6 @@ final class LaunchRun {
     file(file.get(), scope, depth + 1);
   }
 
-  /** Returns the name in the workspace of a file that launch names. */
-  private Optional<String> located(String path, String from) {
-    Matcher share = SHARE.matcher(path);
-    Matcher here = HERE.matcher(path);
-    Optional<String> found = Optional.empty();
-    if (share.matches()) {
-      String below = share.group(2);
-      found =
-          Optional.ofNullable(sources.packages().get(share.group(1)))
-              .map(folder -> Path.of(folder).resolve(below).normalize().toString());
-    } else if (here.matches()) {
-      found = Optional.of(Path.of(from).resolveSibling(here.group(1)).normalize().toString());
-    }
-    return found;
-  }
-
   private LaunchParameters parameters(LaunchScope scope) {
     return new LaunchParameters(
         text -> scope.text(text).filter(LaunchScope::isComplete),
@@ -297,7 +272,7 @@ final class LaunchRun {
           String attribute = element.attributes().containsKey("from") ? "from" : "filename";
           return scope
               .path(element, attribute)
-              .flatMap(it -> located(it, element.file()))
+              .flatMap(it -> sources.located(it, element.file()))
               .flatMap(sources.texts());
         },
         questions);
@@ -316,10 +291,7 @@ final class LaunchRun {
       return;
     }
     Optional<String> name = scope.text(element, "name");
-    boolean unknown = element.attributes().containsKey("name") && name.isEmpty();
-    if (unknown) {
-      ask(element, "What is the name of this node?");
-    }
+    boolean unknown = isNameUnknown(element, name);
     List<TopicNames.Remap> remaps = new ArrayList<>(scope.remaps);
     remaps.addAll(remaps(element, element.children("remap"), scope));
     askAboutLeaking();
@@ -338,6 +310,15 @@ final class LaunchRun {
     if (sources.packages().containsKey(owner.get())) {
       parameters(scope).askAboutArguments(element, scope);
     }
+  }
+
+  /** Returns whether a node is given a name that is not known, for which it asks. */
+  private boolean isNameUnknown(LaunchElement element, Optional<String> name) {
+    boolean unknown = element.attributes().containsKey("name") && name.isEmpty();
+    if (unknown) {
+      ask(element, "What is the name of this node?");
+    }
+    return unknown;
   }
 
   /** Asks about groups that stand before a node: there is one list of what is set for all nodes. */
@@ -399,6 +380,8 @@ final class LaunchRun {
   }
 
   private void ask(LaunchElement element, String text) {
-    questions.add(new OpenQuestion(text, element.file(), element.line()));
+    if (asked.computeIfAbsent(element, it -> new HashSet<>()).add(text)) {
+      questions.add(new OpenQuestion(text, element.file(), element.line()));
+    }
   }
 }

@@ -61,8 +61,8 @@ public final class Workspace {
     ObjectNode request = files.request();
     JsonNode facts = SourceReader.read(environment, root, request);
     facts.path("questions").forEach(each -> questions.add(OpenQuestion.of(each)));
-    LaunchRun.Sources sources =
-        new LaunchRun.Sources(launchFiles(files, facts), folders(files, folder), files::named);
+    LaunchSources sources =
+        new LaunchSources(launchFiles(files, facts), folders(files, folder), files::named);
     Optional<String> start = launch.map(file -> named(file, sources)).or(() -> only(sources));
     StartedNodes nodes =
         new StartedNodes(
@@ -76,7 +76,7 @@ public final class Workspace {
   }
 
   /** Returns the nodes that a launch file starts; all, if none of these is known. */
-  private List<FoundNode> started(String file, StartedNodes nodes, LaunchRun.Sources sources) {
+  private List<FoundNode> started(String file, StartedNodes nodes, LaunchSources sources) {
     List<FoundNode> found = nodes.launched(LaunchRun.of(file, sources, questions));
     if (found.isEmpty()) {
       String text =
@@ -148,7 +148,7 @@ public final class Workspace {
   }
 
   /** Returns the name of a launch file that was asked for. */
-  private String named(Path file, LaunchRun.Sources sources) {
+  private String named(Path file, LaunchSources sources) {
     List<String> names = new ArrayList<>(List.of(file.toString().replace('\\', '/')));
     if (file.toAbsolutePath().normalize().startsWith(root.toAbsolutePath().normalize())) {
       names.add(
@@ -169,7 +169,7 @@ public final class Workspace {
   }
 
   /** Returns the only launch file that no other one includes; several are asked for. */
-  private Optional<String> only(LaunchRun.Sources sources) {
+  private Optional<String> only(LaunchSources sources) {
     List<String> roots = LaunchRun.roots(sources);
     if (roots.size() > 1) {
       String text =

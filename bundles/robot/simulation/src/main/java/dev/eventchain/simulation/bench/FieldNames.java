@@ -71,8 +71,7 @@ final class FieldNames {
   /** Returns the names of a field of the messages in a list: constants of these, of any unit. */
   static NamedValues ofListed(Optional<MessageType> message, String path) {
     Listed listed = Listed.of(path);
-    return constants(
-        message.flatMap(listed::messages), listed.inner(), field -> Optional.empty());
+    return constants(message.flatMap(listed::messages), listed.inner(), field -> Optional.empty());
   }
 
   /** Returns a value that is the name of one number as that number, and others as they are. */
