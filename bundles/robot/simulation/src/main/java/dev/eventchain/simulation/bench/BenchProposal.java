@@ -184,23 +184,10 @@ final class BenchProposal {
   /** Adds the fields of a topic; returns all lines as comments if none could be connected. */
   private List<String> withFields(dev.eventchain.model.Signal signal, List<String> topic) {
     Optional<List<String>> objects = objects(signal);
-    boolean onlyStamps =
-        signal.fields().stream().allMatch(field -> BenchCheck.isStamp(field.path()));
-    List<Field> single =
-        signal.fields().stream()
-            .filter(field -> objects.isEmpty() || !isList(signal, field))
-            .filter(field -> onlyStamps || !BenchCheck.isStamp(field.path()))
-            .toList();
     List<String> fields = new ArrayList<>();
-    for (Field field : single) {
+    for (Field field : single(signal, objects.isPresent())) {
       Optional<String> source =
-          source(signal, field)
-              .or(
-                  () ->
-                      StandardState.source(
-                          signal.topic(),
-                          RosNames.fullMessageType(signal.messageType()),
-                          field.path()));
+          source(signal, field).or(() -> StandardState.source(signal, field.path()));
       if (source.isEmpty()) {
         inputs = inputs.or(() -> kind(signal, field.path()).map(kind -> inputs(field, kind)));
       }
@@ -217,6 +204,15 @@ final class BenchProposal {
     }
     lines.addAll(fields);
     return any || objects.isPresent() ? lines : commented(lines);
+  }
+
+  /** Returns the fields that need a source; without those in lists if objects fill these. */
+  private List<Field> single(dev.eventchain.model.Signal signal, boolean hasObjects) {
+    boolean onlyStamps = signal.fields().stream().allMatch(field -> BenchCheck.isStamp(field.path()));
+    return signal.fields().stream()
+        .filter(field -> !hasObjects || !isList(signal, field))
+        .filter(field -> onlyStamps || !BenchCheck.isStamp(field.path()))
+        .toList();
   }
 
   private Optional<List<String>> objects(dev.eventchain.model.Signal signal) {

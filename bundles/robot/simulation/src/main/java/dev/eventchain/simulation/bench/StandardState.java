@@ -1,5 +1,7 @@
 package dev.eventchain.simulation.bench;
 
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.Signal;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -28,13 +30,10 @@ final class StandardState {
 
   private StandardState() {}
 
-  /**
-   * Returns the source of a field as a bench has it; empty if none is known.
-   *
-   * @param type the full name of the message's type
-   */
-  static Optional<String> source(String topic, String type, String field) {
-    return OTHERS.matcher(topic.toLowerCase(Locale.ROOT)).find()
+  /** Returns the source of a field as a bench has it; empty if none is known. */
+  static Optional<String> source(Signal signal, String field) {
+    String type = RosNames.fullMessageType(signal.messageType());
+    return OTHERS.matcher(signal.topic().toLowerCase(Locale.ROOT)).find()
         ? Optional.empty()
         : Optional.ofNullable(SOURCES.getOrDefault(type, Map.of()).get(field));
   }
