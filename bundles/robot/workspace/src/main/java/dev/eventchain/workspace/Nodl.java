@@ -12,6 +12,7 @@ import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.RosNames;
+import dev.eventchain.workspace.launch.TopicNames;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;

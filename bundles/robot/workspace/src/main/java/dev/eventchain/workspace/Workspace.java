@@ -14,6 +14,10 @@ import dev.eventchain.documents.DocumentRules;
 import dev.eventchain.documents.XmlElement;
 import dev.eventchain.messages.RosFolder;
 import dev.eventchain.sandbox.PythonEnvironment;
+import dev.eventchain.workspace.launch.LaunchElement;
+import dev.eventchain.workspace.launch.LaunchRules;
+import dev.eventchain.workspace.launch.LaunchRun;
+import dev.eventchain.workspace.launch.LaunchSources;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -77,16 +81,20 @@ public final class Workspace {
 
   /** Returns the nodes that a launch file starts; all, if none of these is known. */
   private List<FoundNode> started(String file, StartedNodes nodes, LaunchSources sources) {
-    List<FoundNode> found = nodes.launched(LaunchRun.of(file, sources, questions));
+    List<FoundNode> found = nodes.launched(LaunchRun.of(file, sources, this::ask));
     if (found.isEmpty()) {
       String text =
           "Which nodes are a part of the software? This file starts none that is known: each is"
               + " taken once, under its own name.";
-      questions.add(new OpenQuestion(text, file, 0));
+      ask(text, file, 0);
       return nodes.alone();
     }
     nodes.askAboutOthers(file);
     return found;
+  }
+
+  private void ask(String text, String file, int line) {
+    questions.add(new OpenQuestion(text, file, line));
   }
 
   private RosFolder list() {
@@ -124,11 +132,10 @@ public final class Workspace {
                 found.put(name, declared(name, text));
               } catch (DiagnosticException e) {
                 Diagnostic problem = e.diagnostics().get(0);
-                questions.add(
-                    new OpenQuestion(
-                        "What does this file launch? It is not read: " + problem.message(),
-                        name,
-                        problem.location().line()));
+                ask(
+                    "What does this file launch? It is not read: " + problem.message(),
+                    name,
+                    problem.location().line());
               }
             });
     return found;
@@ -136,9 +143,9 @@ public final class Workspace {
 
   private static List<LaunchElement> declared(String name, SourceText text) {
     if (name.endsWith(".xml")) {
-      return LaunchElement.of(name, XmlElement.parse(text, WorkspaceRules.LAUNCH));
+      return LaunchElement.of(name, XmlElement.parse(text, LaunchRules.LAUNCH));
     }
-    DocumentRules rules = DocumentRules.all(WorkspaceRules.LAUNCH);
+    DocumentRules rules = DocumentRules.all(LaunchRules.LAUNCH);
     List<Diagnostic> problems = new ArrayList<>();
     Document yaml = Document.parse(text, DocumentFormat.YAML, rules, problems::add);
     if (!problems.isEmpty()) {
@@ -163,7 +170,7 @@ public final class Workspace {
         .orElseThrow(
             () ->
                 refused(
-                    WorkspaceRules.LAUNCH,
+                    LaunchRules.LAUNCH,
                     "No launch file that can be read is called " + file + " in the workspace.",
                     "It has " + String.join(", ", sources.files().keySet()) + "."));
   }
@@ -176,7 +183,7 @@ public final class Workspace {
           "Which launch file starts the software: %s? Without one, each node is taken once, under"
                   .formatted(String.join(", ", roots))
               + " its own name; --launch FILE names one.";
-      questions.add(new OpenQuestion(text, roots.get(0), 0));
+      ask(text, roots.get(0), 0);
     }
     return roots.size() == 1 ? Optional.of(roots.get(0)) : Optional.empty();
   }

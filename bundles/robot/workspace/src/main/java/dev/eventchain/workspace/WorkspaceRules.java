@@ -6,7 +6,6 @@ import dev.eventchain.diagnostics.Rule;
 final class WorkspaceRules {
 
   static final Rule EMPTY = Rule.error("workspace.empty");
-  static final Rule LAUNCH = Rule.error("workspace.launch");
   static final Rule NODL = Rule.error("workspace.nodl");
   static final Rule RECORDING = Rule.error("workspace.recording");
   static final Rule UNREAD = Rule.error("workspace.unread");

@@ -1,18 +1,18 @@
 """Launch files in Python, as far as they only declare: as the elements that the same file in XML would have.
 
 An element is an object with ``kind``, ``line``, and as the kind needs ``attributes``, ``remaps`` and ``children``.
-Texts have the substitutions of XML: ``$(var NAME)``, ``$(var NAME DEFAULT)``, ``$(find-pkg-share PACKAGE)``. What is
-not known is None.
+Texts have the substitutions of XML (see launch_texts). What is not known is None.
 """
 
 from __future__ import annotations
 
 import ast
 import contextlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from constants import Constants, Place, UnknownValueError
 from launch_parameters import LaunchParameters
+from launch_texts import LaunchTexts, joined
 from source_modules import FUNCTIONS, Function, Module, last_name
 
 Json = dict[str, object]
@@ -25,23 +25,10 @@ _NODES = frozenset({"Node", "LifecycleNode"})
 _TIMERS = frozenset({"TimerAction", "RosTimer"})
 _CONDITIONS = {"IfCondition": "if", "UnlessCondition": "unless"}
 _COMPARISONS = {"LaunchConfigurationEquals": "equals", "LaunchConfigurationNotEquals": "differs"}
-_DECIDING = {
-    "AndSubstitution": "and",
-    "OrSubstitution": "or",
-    "NotSubstitution": "not",
-    "AnySubstitution": "any",
-    "AllSubstitution": "all",
-    "EqualsSubstitution": "equals",
-    "NotEqualsSubstitution": "not-equals",
-    "IfElseSubstitution": "if",
-    "PythonExpression": "eval",
-}
 _EVENTS = {"OnProcessStart": "on_start", "OnProcessExit": "on_exit", "OnExecutionComplete": "on_completion"}
-_SUBSTITUTED = frozenset({"text", "package", "variable_name"})
 _NAMED = {"package": "pkg", "executable": "exec", "plugin": "plugin", "name": "name", "namespace": "namespace"}
 _ARGUMENTS = {"arguments": "args", "ros_arguments": "ros_args"}
 _MUTATORS = frozenset({"append", "clear", "extend", "insert", "pop", "popitem", "remove", "setdefault", "update"})
-_SHARES = frozenset({"get_package_share_directory", "FindPackageShare", "get_package_share_path"})
 
 
 class LaunchFile:
@@ -278,7 +265,7 @@ class LaunchFile:
         """Return a list of texts as one, with spaces."""
         node = self._collection(node)
         if isinstance(node, (ast.List, ast.Tuple)):
-            return _joined((self._text(each) for each in node.elts), " ")
+            return joined((self._text(each) for each in node.elts), " ")
         return None if isinstance(node, ast.Name) else self._text(node)
 
     def _remaps(self, node: ast.expr | None, owner: ast.AST) -> list[list[str | None]]:
@@ -314,74 +301,9 @@ class LaunchFile:
             return node
         return self._definition(node)
 
-    def _text(self, node: ast.expr, depth: int = 0) -> str | None:
+    def _text(self, node: ast.expr) -> str | None:
         """Return a text with substitutions; None if it is not known."""
-        if depth > 20:
-            return None
-        if isinstance(node, (ast.List, ast.Tuple)):
-            return _joined((self._text(each, depth + 1) for each in node.elts), "")
-        if isinstance(node, ast.Call):
-            return self._substitution(node, depth)
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-            return _joined((self._text(each, depth + 1) for each in (node.left, node.right)), "")
-        if isinstance(node, ast.JoinedStr):
-            return _joined((self._text(each, depth + 1) for each in node.values), "")
-        if isinstance(node, ast.FormattedValue):
-            is_plain = node.conversion == -1 and node.format_spec is None
-            return self._text(node.value, depth + 1) if is_plain else None
-        try:
-            value = self._constants.value(node, self._place)
-            return value if isinstance(value, str) else None
-        except UnknownValueError:
-            pass
-        if isinstance(node, ast.Name):
-            try:
-                return self._text(self._constants.definition(node, self._place)[0], depth + 1)
-            except UnknownValueError:
-                return None
-        return None
-
-    def _substitution(self, node: ast.Call, depth: int) -> str | None:
-        name = last_name(node.func)
-        if name == "perform" and isinstance(node.func, ast.Attribute):
-            return self._text(node.func.value, depth + 1)
-        if name in _DECIDING:
-            values = [*node.args, *(each.value for each in node.keywords)]
-            texts = [_quoted(self._text(each, depth + 1)) for each in values]
-            return _joined([f"$({_DECIDING[name]}", *texts], " ", ")")
-        arguments = [*node.args, *(each.value for each in node.keywords if each.arg in _SUBSTITUTED)]
-        if name == "join" or name == "PathJoinSubstitution":
-            parts = arguments
-            if name == "PathJoinSubstitution" and arguments and isinstance(arguments[0], (ast.List, ast.Tuple)):
-                parts = list(arguments[0].elts)
-            return _joined((self._text(each, depth + 1) for each in parts), "/")
-        first = self._text(arguments[0], depth + 1) if arguments else None
-        if first is None:
-            return None
-        if name == "LaunchConfiguration":
-            return self._configuration(first, node, depth)
-        if name in _SHARES:
-            return f"$(find-pkg-share {first})"
-        return first if name in ("TextSubstitution", "str") else None
-
-    def _configuration(self, name: str, node: ast.Call, depth: int) -> str | None:
-        default = next((each.value for each in node.keywords if each.arg == "default"), None)
-        if default is None or (isinstance(default, ast.Constant) and default.value is None):
-            return f"$(var {name})"
-        text = self._text(default, depth + 1)
-        if text is None or "'" in text or not _is_balanced(text):
-            return f"$(var {name} $(unknown))"
-        return f"$(var {name} '{text}')" if not text or text != text.strip() else f"$(var {name} {text})"
-
-
-def _is_balanced(text: str) -> bool:
-    """Return whether each parenthesis of a text is closed."""
-    depth = 0
-    for each in text:
-        depth += (each == "(") - (each == ")")
-        if depth < 0:
-            return False
-    return depth == 0
+        return LaunchTexts(self._constants, self._place).text(node)
 
 
 def returned(function: ast.FunctionDef) -> ast.expr | None:
@@ -423,17 +345,6 @@ def _is_pair(node: ast.expr) -> bool:
 
 def _calls(node: ast.AST) -> Iterator[ast.Call]:
     return (each for each in ast.walk(node) if isinstance(each, ast.Call))
-
-
-def _quoted(text: str | None) -> str | None:
-    """Return a text as a word of a substitution."""
-    return None if text is None else '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
-
-
-def _joined(parts: Iterable[str | None], separator: str, end: str = "") -> str | None:
-    texts = list(parts)
-    known = [text for text in texts if text is not None]
-    return separator.join(known) + end if len(known) == len(texts) else None
 
 
 def _unknown(place: ast.AST | int, reason: str) -> Json:

@@ -208,7 +208,8 @@ final class BenchProposal {
 
   /** Returns the fields that need a source; without those in lists if objects fill these. */
   private List<Field> single(dev.eventchain.model.Signal signal, boolean hasObjects) {
-    boolean onlyStamps = signal.fields().stream().allMatch(field -> BenchCheck.isStamp(field.path()));
+    boolean onlyStamps =
+        signal.fields().stream().allMatch(field -> BenchCheck.isStamp(field.path()));
     return signal.fields().stream()
         .filter(field -> !hasObjects || !isList(signal, field))
         .filter(field -> onlyStamps || !BenchCheck.isStamp(field.path()))

@@ -1,4 +1,4 @@
-package dev.eventchain.workspace;
+package dev.eventchain.workspace.launch;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -10,7 +10,10 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /** Nodes that a launch file starts without arguments, in its order. */
-final class LaunchRun {
+public final class LaunchRun {
+
+  /** For runs whose questions are those of another one. */
+  private static final Questions NONE = (text, file, line) -> {};
 
   private static final int DEEPEST = 20;
   private static final int MOST_INCLUDES = 2_000;
@@ -29,7 +32,7 @@ final class LaunchRun {
    * @param isNameUnknown whether it is given one that is not known
    * @param parameters what is assigned to its parameters, in the order in which launch gives it
    */
-  record Started(
+  public record Started(
       String owner,
       String executable,
       Optional<String> name,
@@ -48,7 +51,7 @@ final class LaunchRun {
   private record Later(LaunchElement element, List<Started> nodes, int depth) {}
 
   private final LaunchSources sources;
-  private final List<OpenQuestion> questions;
+  private final Questions questions;
   private final List<Started> started = new ArrayList<>();
   private final List<Later> later = new ArrayList<>();
 
@@ -67,7 +70,7 @@ final class LaunchRun {
    *
    * @param isWhole whether what conditions exclude is followed, too
    */
-  private LaunchRun(LaunchSources sources, List<OpenQuestion> questions, boolean isWhole) {
+  private LaunchRun(LaunchSources sources, Questions questions, boolean isWhole) {
     this.sources = sources;
     this.questions = questions;
     this.isWhole = isWhole;
@@ -78,7 +81,7 @@ final class LaunchRun {
    *
    * @param questions receives what is not known
    */
-  static List<Started> of(String file, LaunchSources sources, List<OpenQuestion> questions) {
+  public static List<Started> of(String file, LaunchSources sources, Questions questions) {
     LaunchRun run = new LaunchRun(sources, questions, false);
     LaunchScope scope = new LaunchScope();
     run.file(file, scope, 0);
@@ -87,13 +90,13 @@ final class LaunchRun {
   }
 
   /** Returns the files that no other file includes. */
-  static List<String> roots(LaunchSources sources) {
+  public static List<String> roots(LaunchSources sources) {
     LaunchSources unread =
         new LaunchSources(sources.files(), sources.packages(), name -> Optional.empty());
     Set<String> included = new TreeSet<>();
     for (String file : sources.files().keySet()) {
       for (boolean isWhole : List.of(true, false)) {
-        LaunchRun run = new LaunchRun(unread, new ArrayList<>(), isWhole);
+        LaunchRun run = new LaunchRun(unread, NONE, isWhole);
         run.file(file, new LaunchScope(), 0);
         run.included.remove(file);
         included.addAll(run.included);
@@ -181,7 +184,7 @@ final class LaunchRun {
     if (!each.nodes().isEmpty() && element.kind().equals("event_handler")) {
       askAboutEvent(element);
     }
-    LaunchRun run = new LaunchRun(sources, new ArrayList<>(), isWhole);
+    LaunchRun run = new LaunchRun(sources, NONE, isWhole);
     LaunchScope scope = end.inner();
     element.children().forEach(child -> run.element(child, scope, each.depth()));
     if (!run.started.equals(each.nodes())) {
@@ -381,7 +384,7 @@ final class LaunchRun {
 
   private void ask(LaunchElement element, String text) {
     if (asked.computeIfAbsent(element, it -> new HashSet<>()).add(text)) {
-      questions.add(new OpenQuestion(text, element.file(), element.line()));
+      questions.add(text, element.file(), element.line());
     }
   }
 }

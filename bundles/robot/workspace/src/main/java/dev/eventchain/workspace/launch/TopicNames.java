@@ -1,4 +1,4 @@
-package dev.eventchain.workspace;
+package dev.eventchain.workspace.launch;
 
 import dev.eventchain.messages.RosNames;
 import java.util.LinkedHashMap;
@@ -13,13 +13,13 @@ import java.util.Optional;
  * @param namespace begins with a slash; empty if it is not known
  * @param name empty if it is not known
  */
-record TopicNames(Optional<String> namespace, Optional<String> name, List<Remap> remaps) {
+public record TopicNames(Optional<String> namespace, Optional<String> name, List<Remap> remaps) {
 
   /** A rule for names: what is called {@code from} in the node is {@code to} outside. */
-  record Remap(String from, String to) {}
+  public record Remap(String from, String to) {}
 
   /** Returns the full name of a topic; empty if it depends on what is not known, or is no name. */
-  Optional<String> resolve(String topic) {
+  public Optional<String> resolve(String topic) {
     Optional<String> full = expand(topic);
     for (Remap remap : remaps) {
       if (full.isPresent() && full.equals(expand(remap.from()))) {
@@ -30,7 +30,7 @@ record TopicNames(Optional<String> namespace, Optional<String> name, List<Remap>
   }
 
   /** Returns the full names by the names that the node uses, as far as they are known. */
-  Map<String, String> remappings() {
+  public Map<String, String> remappings() {
     Map<String, String> found = new LinkedHashMap<>();
     for (Remap remap : remaps) {
       if (expand(remap.from()).isPresent()) {
@@ -55,7 +55,7 @@ record TopicNames(Optional<String> namespace, Optional<String> name, List<Remap>
   }
 
   /** Returns a name in a namespace; an absolute one stays as it is. */
-  static String join(String namespace, String name) {
+  public static String join(String namespace, String name) {
     if (name.startsWith("/")) {
       return name;
     }

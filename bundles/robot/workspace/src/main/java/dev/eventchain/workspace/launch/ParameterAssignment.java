@@ -1,4 +1,4 @@
-package dev.eventchain.workspace;
+package dev.eventchain.workspace.launch;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Optional;
@@ -10,7 +10,7 @@ import java.util.Optional;
  * @param name that of the parameter; empty if any may be given
  * @param value empty if it is not known
  */
-record ParameterAssignment(String nodes, String name, Optional<JsonNode> value) {
+public record ParameterAssignment(String nodes, String name, Optional<JsonNode> value) {
 
   /** The name that each node matches. */
   static final String ALL = "/**";

@@ -1,4 +1,4 @@
-package dev.eventchain.workspace;
+package dev.eventchain.workspace.launch;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -40,10 +40,10 @@ final class ParameterFile {
 
   private final SourceText source;
   private final Document document;
-  private final List<OpenQuestion> questions;
+  private final Questions questions;
   private final List<ParameterAssignment> found = new ArrayList<>();
 
-  private ParameterFile(SourceText source, Document document, List<OpenQuestion> questions) {
+  private ParameterFile(SourceText source, Document document, Questions questions) {
     this.source = source;
     this.document = document;
     this.questions = questions;
@@ -54,10 +54,10 @@ final class ParameterFile {
    *
    * @param questions receives what is not known
    */
-  static List<ParameterAssignment> read(SourceText source, List<OpenQuestion> questions) {
+  static List<ParameterAssignment> read(SourceText source, Questions questions) {
     List<Diagnostic> problems = new ArrayList<>();
     try {
-      DocumentRules rules = DocumentRules.all(WorkspaceRules.LAUNCH);
+      DocumentRules rules = DocumentRules.all(LaunchRules.LAUNCH);
       Document document = Document.parse(source, DocumentFormat.YAML, rules, problems::add);
       if (problems.isEmpty()) {
         ParameterFile file = new ParameterFile(source, document, questions);
@@ -71,11 +71,9 @@ final class ParameterFile {
     return List.of(ParameterAssignment.unknown());
   }
 
-  private static void ask(
-      List<OpenQuestion> questions, String reason, String file, SourceLocation place) {
+  private static void ask(Questions questions, String reason, String file, SourceLocation place) {
     questions.add(
-        new OpenQuestion(
-            "Which parameters does this file give? It is not read: " + reason, file, place.line()));
+        "Which parameters does this file give? It is not read: " + reason, file, place.line());
   }
 
   private void unread(String reason, String pointer) {
@@ -113,7 +111,7 @@ final class ParameterFile {
         String text =
             "What is the parameter '%s' of the node '%s'? %s"
                 .formatted(name, node, LaunchParameters.SAY);
-        questions.add(new OpenQuestion(text, source.name(), document.atKey(inner).line()));
+        questions.add(text, source.name(), document.atKey(inner).line());
       }
       found.add(new ParameterAssignment(node, name, value));
     }

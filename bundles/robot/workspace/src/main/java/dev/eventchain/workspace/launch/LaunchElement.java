@@ -1,4 +1,4 @@
-package dev.eventchain.workspace;
+package dev.eventchain.workspace.launch;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.documents.Document;
@@ -16,7 +16,7 @@ import java.util.Optional;
  * @param attributes empty where a value is there, but not known
  * @param file relative to the workspace
  */
-record LaunchElement(
+public record LaunchElement(
     String kind,
     Map<String, Optional<String>> attributes,
     List<LaunchElement> children,
@@ -27,7 +27,7 @@ record LaunchElement(
   private static final String CHILDREN = "children";
 
   /** Returns the children of the root of a file in XML. */
-  static List<LaunchElement> of(String file, XmlElement root) {
+  public static List<LaunchElement> of(String file, XmlElement root) {
     return root.children().stream().map(child -> element(file, child)).toList();
   }
 
@@ -39,7 +39,7 @@ record LaunchElement(
   }
 
   /** Returns the elements of a file in YAML, below {@code launch}. */
-  static List<LaunchElement> of(String file, Document yaml) {
+  public static List<LaunchElement> of(String file, Document yaml) {
     return list(file, yaml, "/launch");
   }
 
@@ -84,7 +84,7 @@ record LaunchElement(
   }
 
   /** Returns the elements of a file in Python, as the reader of sources writes them. */
-  static List<LaunchElement> of(String file, JsonNode list) {
+  public static List<LaunchElement> of(String file, JsonNode list) {
     List<LaunchElement> found = new ArrayList<>();
     list.forEach(each -> found.add(element(file, each)));
     return found;

@@ -1,4 +1,4 @@
-package dev.eventchain.workspace;
+package dev.eventchain.workspace.launch;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
@@ -19,9 +19,9 @@ import java.util.function.Consumer;
  * @param unknown names of those whose values are not known, or may be replaced by others
  * @param isOpen whether there may be others
  */
-record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolean isOpen) {
+public record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolean isOpen) {
 
-  static final GivenParameters NONE = new GivenParameters(Map.of(), Set.of(), false);
+  public static final GivenParameters NONE = new GivenParameters(Map.of(), Set.of(), false);
 
   /**
    * Returns the parameters of a node. As of Humble, rclpy takes those for each node first and those
@@ -32,7 +32,7 @@ record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolea
    * @param node the full name of the node; empty if it is not known
    * @param ask receives questions
    */
-  static GivenParameters of(
+  public static GivenParameters of(
       List<ParameterAssignment> all, Optional<String> node, Consumer<String> ask) {
     List<ParameterAssignment> assigned = new ArrayList<>(all);
     Set<String> order = new LinkedHashSet<>();
@@ -141,7 +141,7 @@ record GivenParameters(Map<String, JsonNode> values, Set<String> unknown, boolea
   }
 
   /** Returns whether a value may differ from that of a node alone, among those of some names. */
-  boolean concerns(Set<String> names) {
+  public boolean concerns(Set<String> names) {
     return names.stream()
         .anyMatch(name -> isOpen || values.containsKey(name) || unknown.contains(name));
   }

@@ -1,4 +1,4 @@
-package dev.eventchain.workspace;
+package dev.eventchain.workspace.launch;
 
 import dev.eventchain.diagnostics.SourceText;
 import java.nio.file.Path;
@@ -16,7 +16,7 @@ import java.util.regex.Pattern;
  * @param packages the folders of packages in the workspace, by the names of packages
  * @param texts returns the text of a file by its name in the workspace
  */
-record LaunchSources(
+public record LaunchSources(
     Map<String, List<LaunchElement>> files,
     Map<String, String> packages,
     Function<String, Optional<SourceText>> texts) {

@@ -1,4 +1,4 @@
-package dev.eventchain.workspace;
+package dev.eventchain.workspace.launch;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
@@ -53,7 +53,7 @@ final class LaunchParameters {
 
   private final Function<String, Optional<String>> substituted;
   private final Function<LaunchElement, Optional<SourceText>> files;
-  private final List<OpenQuestion> questions;
+  private final Questions questions;
 
   /**
    * Creates a reader.
@@ -65,7 +65,7 @@ final class LaunchParameters {
   LaunchParameters(
       Function<String, Optional<String>> substituted,
       Function<LaunchElement, Optional<SourceText>> files,
-      List<OpenQuestion> questions) {
+      Questions questions) {
     this.substituted = substituted;
     this.files = files;
     this.questions = questions;
@@ -186,7 +186,7 @@ final class LaunchParameters {
   }
 
   private void ask(LaunchElement element, String text) {
-    questions.add(new OpenQuestion(text, element.file(), element.line()));
+    questions.add(text, element.file(), element.line());
   }
 
   private static JsonNode json(String text) {
