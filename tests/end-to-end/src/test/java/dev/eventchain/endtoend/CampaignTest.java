@@ -180,6 +180,8 @@ class CampaignTest {
     String scenario = Files.readString(results("approach/case-4/scenario.yaml"));
     assertTrue(scenario.contains("gap_m: 10"), scenario);
     assertTrue(Files.size(results("approach/case-4/stopped-vehicle-50.mcap")) > 10_000);
+    String report = Files.readString(results("approach/case-4/report.html"));
+    assertTrue(report.contains("case 4 of approach: speed = 50, gap = 10"), report);
     campaign("--case", 7).expect(2).says("There is no case 7 of 6.");
   }
 

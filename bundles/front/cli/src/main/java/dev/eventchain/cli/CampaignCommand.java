@@ -91,7 +91,7 @@ final class CampaignCommand extends ProjectCommand {
       names = "--case",
       paramLabel = "NUMBER",
       description =
-          "Simulate one case of the table again: its scenario and its recording are in"
+          "Simulate one case of the table again: its scenario, its recording and its report are in"
               + " OUTPUT/campaigns/NAME/case-NUMBER.")
   private Integer replayed;
 

@@ -10,6 +10,7 @@ import dev.eventchain.pipeline.campaign.plan.CampaignPlan;
 import dev.eventchain.pipeline.campaign.plan.CampaignRules;
 import dev.eventchain.pipeline.campaign.result.CampaignRow;
 import dev.eventchain.pipeline.campaign.result.CampaignStore;
+import dev.eventchain.pipeline.report.ReportPage;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.simulate.SimulateStage;
 import dev.eventchain.pipeline.stage.RunContext;
@@ -28,7 +29,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Simulates one case of a campaign again, with a recording, and keeps its scenario as a file. */
+/**
+ * Simulates one case of a campaign again, with a recording and a report, and keeps its scenario.
+ */
 final class CaseReplay {
 
   private final RunContext run;
@@ -59,16 +62,25 @@ final class CaseReplay {
     String folder = "case-" + number;
     byte[] text = template.text(id, store.path(folder)).getBytes(StandardCharsets.UTF_8);
     store.write(folder + "/scenario.yaml", text);
-    SimulationResult result = simulate(template.of(id), folder);
-    StringBuilder words = new StringBuilder("case " + number + ": " + id.words(plan) + "\n");
+    CaseSimulation.Case own = template.of(id);
+    SimulationResult result = simulate(own, folder);
+    String summary = "case " + number + " of " + plan.name() + ": " + id.words(plan);
+    store.write(
+        folder + "/" + ReportPage.FILE,
+        new CasePage(run, result).render(own.scenario(), row.result().label(), summary));
+    Outcome outcome = Outcome.of(Coverage.NONE, run.takeFindings(), List.of());
+    return new CampaignOutcome(outcome, words(number, row, result, store.path(folder)));
+  }
+
+  private String words(int number, CampaignRow row, SimulationResult result, Path folder) {
+    StringBuilder words = new StringBuilder("case " + number + ": " + row.id().words(plan) + "\n");
     words.append(row.words()).append('\n');
     for (CriterionResult each : result.verdicts().get(0).criteria()) {
       String word = each.tested() ? (each.passed() ? "passed" : "FAILED") : "-";
       words.append("%-6s  %s: %s%n".formatted(word, each.text(), each.measured()));
     }
-    words.append("Scenario and recording: ").append(store.path(folder)).append('\n');
-    Outcome outcome = Outcome.of(Coverage.NONE, run.takeFindings(), List.of());
-    return new CampaignOutcome(outcome, words.toString());
+    words.append("Scenario, recording and report: ").append(folder).append('\n');
+    return words.toString();
   }
 
   private SimulationResult simulate(CaseSimulation.Case each, String folder) {

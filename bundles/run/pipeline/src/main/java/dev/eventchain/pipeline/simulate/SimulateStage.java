@@ -37,6 +37,7 @@ import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.xmi.Origins;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
@@ -164,6 +165,29 @@ public final class SimulateStage implements StageWork {
   /** Returns settings that record what scenarios show, if they are all of the project. */
   private static SimulationSettings whole(RunContext run, SimulationSettings settings) {
     return settings.withCoverage(!run.options().isPartial());
+  }
+
+  /**
+   * Returns the report of scenarios that are not the project's, such as a case of a campaign.
+   *
+   * @param measured the model with what was measured
+   * @param found receives findings about latencies
+   */
+  public static Simulated report(
+      RunContext run,
+      List<Scenario> scenarios,
+      SimulationResult result,
+      EventChain measured,
+      List<Diagnostic> found) {
+    OclResult validation = ProjectChecks.constraints(run).check(measured, new Origins()::locate);
+    return SimulationReport.of(
+        result,
+        LatencyBounds.of(run, result).report(run, scenarios, found),
+        ProcessorReport.of(measured),
+        List.of(),
+        List.of(),
+        Optional.empty(),
+        ProjectChecks.report(SourceLocation.of(run.model()).file(), validation));
   }
 
   /** Returns the number of a run; those with standard faults come after all others. */
