@@ -229,7 +229,8 @@ public final class World {
       trace.impact(impact.get().speed(), impact.get().words());
     } else if (road().isFurnished() && movement.leavesTheRoad(until)) {
       end(movement, movement.leaving());
-      trace.impact(ego.speed(), "the ego left the road");
+      double turning = ego.spin() * ego.axleToBumper();
+      trace.impact(StrictMath.hypot(ego.speed(), turning), "the ego left the road");
     }
     if (impacted() || now % TRACE_STEP == 0) {
       record();

@@ -235,6 +235,18 @@ class SpeedCommandTest {
     assertEquals(radius, world.trace().impactSpeed().orElseThrow(), 0.1);
   }
 
+  /** Its front meets the wall beside the road as fast as it swings, although it stands. */
+  @Test
+  void aRobotThatTurnsOnTheSpotMeetsTheWallAsFastAsItsFrontMoves() {
+    double offset = Road.WALL_DISTANCE - 1.3;
+    EgoVehicle robot = robot(0.0, 0.0, new Chassis(0.4, 0.6, 0.0, 0.0, offset, 0.0, 1.5));
+    World world = new World(Situation.straight(robot, List.of()), new Trace());
+    command(world, robot, 0.0, 1.0);
+    world.advanceTo(World.nanoseconds(3));
+    assertEquals("the ego left the road", world.trace().impact());
+    assertEquals(robot.axleToBumper(), world.trace().impactSpeed().orElseThrow(), 0.1);
+  }
+
   /** Checks how far its rear axle is from where it was, and where its front is then. */
   private static void assertFrom(
       World world, EgoVehicle robot, double along, double across, double heading) {
