@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -59,7 +58,7 @@ public final class LaunchRun {
   private final List<LaunchElement> leaking = new ArrayList<>();
 
   /** Questions about each element, which a file that is included twice has twice. */
-  private final Map<LaunchElement, Set<String>> asked = new IdentityHashMap<>();
+  private final IdentityHashMap<LaunchElement, Set<String>> asked = new IdentityHashMap<>();
 
   private final Set<String> included = new TreeSet<>();
   private final boolean isWhole;
