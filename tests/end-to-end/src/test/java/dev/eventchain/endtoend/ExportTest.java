@@ -24,7 +24,7 @@ class ExportTest {
     String out = ended.out().replace("\\", "/");
     assertTrue(out.contains("scenarios/cut-in.yaml:8:"), out);
     assertTrue(out.contains("[export.condition]"), out);
-    assertTrue(ended.err().contains("16 files in " + target + ": 16 written"), ended.err());
+    assertTrue(ended.err().contains("18 files in " + target + ": 18 written"), ended.err());
     assertTrue(Files.notExists(target.resolve("cut-in.xosc")));
   }
 
