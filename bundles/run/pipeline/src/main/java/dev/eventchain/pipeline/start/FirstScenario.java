@@ -85,48 +85,41 @@ record FirstScenario(String name, String text) {
 
   /** Without a command, the robot goes on as it began, and would run into what stands there. */
   private static FirstScenario robot(String ids, String judged) {
-    return new FirstScenario(
-        "obstacle-ahead",
-        """
-        name: obstacle-ahead
-        title: Something stands in the way, 8 m ahead
-        requirements: %s
-        duration_s: 40
-        ego:
-          speed_kmh: 2
-        actors:
-          - gap_m: 8
-            speed_kmh: 0
-        accept:
-          no_impact: true
-          # Of each requirement, leave the words that no_impact judges, or remove it here and above.
-          judges:
-            no_impact:
-        %s
-        """
-            .formatted(ids, judged));
+    return approach("obstacle-ahead", "Something stands in the way, 8 m ahead", 40, 2, 8)
+        .formatted(ids, judged);
   }
 
   private static FirstScenario stopped(String ids, String judged) {
+    return approach("stopped-vehicle", "A stopped vehicle ahead, 50 km/h", 12, 50, 80)
+        .formatted(ids, judged);
+  }
+
+  /** Returns a scenario without its requirements: something stands ahead, at a distance in m. */
+  private static FirstScenario approach(
+      String name, String title, int seconds, int kilometresPerHour, int gap) {
     return new FirstScenario(
-        "stopped-vehicle",
+        name,
         """
-        name: stopped-vehicle
-        title: A stopped vehicle ahead, 50 km/h
-        requirements: %s
-        duration_s: 12
+        name: %s
+        title: %s
+        requirements: %%s
+        duration_s: %s
         ego:
-          speed_kmh: 50
+          speed_kmh: %s
         actors:
-          - gap_m: 80
+          - gap_m: %s
             speed_kmh: 0
         accept:
           no_impact: true
           # Of each requirement, leave the words that no_impact judges, or remove it here and above.
           judges:
             no_impact:
-        %s
+        %%s
         """
-            .formatted(ids, judged));
+            .formatted(name, title, seconds, kilometresPerHour, gap));
+  }
+
+  private FirstScenario formatted(String ids, String judged) {
+    return new FirstScenario(name, text.formatted(ids, judged));
   }
 }
