@@ -66,6 +66,11 @@ record ArxmlElement(XmlElement xml, String path) {
     return reached;
   }
 
+  /** Returns whether it is only there in some variants of the vehicle. */
+  boolean isVariant() {
+    return first("VARIATION-POINT").isPresent();
+  }
+
   /** Returns the first of all elements that are reached by tags. */
   Optional<ArxmlElement> first(String... tags) {
     return all(tags).stream().findFirst();

@@ -59,6 +59,8 @@ final class ArxmlReader {
     }
     all.forEach((message, it) -> message.senders().addAll(senders.of(it.channels(), it.parts())));
     pdus.noteOthers();
+    tree.otherVariants()
+        .forEach(it -> unread.note(ArxmlUnread.Kind.OTHER_VARIANT, it.path(), it.location()));
     unread.report(findings);
     return network;
   }

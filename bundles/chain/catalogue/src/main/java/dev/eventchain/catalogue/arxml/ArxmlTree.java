@@ -4,6 +4,7 @@ import dev.eventchain.catalogue.signal.CatalogueRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.documents.XmlElement;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
@@ -31,6 +32,9 @@ final class ArxmlTree {
 
   /** Paths from which relative references go on, by the package and their labels; "" for all. */
   private final Map<String, Map<String, String>> bases = new HashMap<>();
+
+  /** Elements that are not read, since another variant has their path. */
+  private final List<ArxmlElement> otherVariants = new ArrayList<>();
 
   private final Set<XmlElement> reported = Collections.newSetFromMap(new IdentityHashMap<>());
   private int hints;
@@ -63,6 +67,10 @@ final class ArxmlTree {
     boolean isPackage = element.tag().equals(PACKAGE);
     if (other == null || (isPackage && other.tag().equals(PACKAGE))) {
       return true;
+    }
+    if (element.isVariant() && other.isVariant()) {
+      otherVariants.add(element);
+      return false;
     }
     boolean sameFile = element.location().file().equals(other.location().file());
     if (sameFile || !areAlike(element.xml(), other.xml())) {
@@ -97,6 +105,11 @@ final class ArxmlTree {
     if (base.text("IS-DEFAULT").filter("true"::equals).isPresent()) {
       ofPackage.putIfAbsent("", path);
     }
+  }
+
+  /** Returns elements that are not read, since another variant has their path. */
+  List<ArxmlElement> otherVariants() {
+    return otherVariants;
   }
 
   /** Returns all elements with a tag, in the order of the files. */

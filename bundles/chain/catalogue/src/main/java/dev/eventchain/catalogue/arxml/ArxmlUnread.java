@@ -53,7 +53,10 @@ final class ArxmlUnread {
         "The limits of these signals are in other units than theirs, so they are not read"),
     VARIANT(
         "It is only in some variants of the vehicle, and is read as if it were in all",
-        "These are only in some variants of the vehicle, and are read as if they were in all");
+        "These are only in some variants of the vehicle, and are read as if they were in all"),
+    OTHER_VARIANT(
+        "Another variant of it is before it, and is read alone",
+        "Other variants of these are before them, and are read alone");
 
     private final String one;
     private final String several;
@@ -77,7 +80,7 @@ final class ArxmlUnread {
 
   /** Notes an element that is only there in some variants. */
   void noteVariants(ArxmlElement element, String name) {
-    if (element.first("VARIATION-POINT").isPresent()) {
+    if (element.isVariant()) {
       note(Kind.VARIANT, name, element.location());
     }
   }
