@@ -69,6 +69,14 @@ class CampaignMergeTest {
   }
 
   @Test
+  void partsOfDifferentDivisionsAreNotMixed() throws IOException {
+    List<Path> folders =
+        List.of(write(part("inputs", HERE, "1/2", true)), write(part("inputs", HERE, "2/3", true)));
+    Diagnostic found = refusal(() -> CampaignMerge.parts(folders, "inputs"));
+    assertTrue(found.message().endsWith("is one of 3 parts, but another one is one of 2."));
+  }
+
+  @Test
   void whatANodeAnswersHasToFit() {
     Shard shard = Shard.parse("2/5");
     byte[] good = ResultJson.bytes(part("inputs", HERE, "2/5", true));

@@ -75,8 +75,15 @@ public final class CampaignMerge {
     if (!isSound(folder, cases, inputs)) {
       return;
     }
-    String platform = parts.isEmpty() ? cases.platform() : parts.firstEntry().getValue().platform();
-    if (parts.putIfAbsent(cases.shard().number(), cases) != null) {
+    CampaignStore.Cases first = parts.isEmpty() ? cases : parts.firstEntry().getValue();
+    String platform = first.platform();
+    if (cases.shard().count() != first.shard().count()) {
+      problem(
+          folder,
+          "is one of %s parts, but another one is one of %s"
+              .formatted(cases.shard().count(), first.shard().count()),
+          "Put the parts of one division together.");
+    } else if (parts.putIfAbsent(cases.shard().number(), cases) != null) {
       problem(folder, "is part " + cases.shard().number() + ", which another one is, too", "");
     } else if (!cases.platform().equals(platform)) {
       problem(
@@ -107,8 +114,7 @@ public final class CampaignMerge {
     }
     int count = parts.firstEntry().getValue().shard().count();
     for (int number = 1; number <= count; number++) {
-      CampaignStore.Cases part = parts.get(number);
-      if (part == null || part.shard().count() != count) {
+      if (!parts.containsKey(number)) {
         problem(
             folders.get(0),
             String.format(Locale.ROOT, "and the others lack part %d of %d", number, count),
