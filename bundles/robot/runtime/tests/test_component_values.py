@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import enum
 import math
 import random
@@ -141,6 +142,9 @@ def test_messages_without_classes_come_back_as_objects_with_attributes() -> None
     data = b"".join(map(bytes, Codec(PLAIN_OBJECTS).write([echo])))
     (read,) = Codec(PLAIN_OBJECTS).read(data)
     assert (read.distance, read.place.x) == (1.5, -2.0)
+    with pytest.raises(AttributeError, match=r"^the message Point\(x=-2\.0\) of this call has no 'y'$"):
+        _ = read.place.y
+    assert copy.deepcopy(read).place.x == -2.0
     assert repr(read) == repr(echo) == "demo_msgs/Echo(distance=1.5, place=Point(x=-2.0))"
     with pytest.raises(MalformedError):
         Codec().read(data)

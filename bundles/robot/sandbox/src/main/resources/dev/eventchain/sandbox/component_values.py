@@ -82,6 +82,12 @@ class PlainMessage:
         self._name = name
         self.__dict__.update(fields)
 
+    def __getattr__(self, name: str) -> Any:
+        """Say that a message has no such field: it may be missing in a test, not in the type of messages."""
+        if name.startswith("_"):
+            raise AttributeError(name)  # asked of an object that is being copied, too
+        raise AttributeError(f"the message {self!r} of this call has no '{name}'")
+
     def __repr__(self) -> str:
         return self._name + "(" + ", ".join(f"{key}={value!r}" for key, value in _fields(self).items()) + ")"
 
