@@ -20,6 +20,7 @@ import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Names of values in formulas of a scenario: what editors propose, and what they say. */
 class FormulaNamesTest {
@@ -46,11 +47,16 @@ class FormulaNamesTest {
   }
 
   private static Analysis analysis(String marked) {
+    return analysis("scenarios/new.yaml", marked);
+  }
+
+  private static Analysis analysis(String file, String marked) {
     Path opened =
         Repository.ROOT
             .toAbsolutePath()
             .normalize()
-            .resolve("examples/child-presence/scenarios/new.yaml");
+            .resolve("examples/child-presence")
+            .resolve(file);
     OnlyText only = new OnlyText(opened, marked.replace("^", ""));
     return new ProjectLanguageService(only, new OpenTexts()).analysis(opened).orElseThrow();
   }
@@ -128,5 +134,73 @@ class FormulaNamesTest {
         analysis(marked).completions(cursor(marked)).stream().map(Completion::label).toList();
     assertTrue(found.contains(expected), found.toString());
     assertTrue(found.size() < 200, found.size() + " proposals");
+  }
+
+  private static final String SPEED = "/vss/Vehicle/Speed.data";
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      quoteCharacter = '~',
+      value = {
+        "formula: >\\n        alw^                                 ; always",
+        "formula: >-\\n        always\\n\\n        ego.sp^          ; ego.speed",
+        "formula: |  # a\\n        always (ttc > 1 s and\\n          ^ ; ego.speed",
+        "formula: >\\n        always\\n        /vss/Vehicle/Sp^   ; /vss/Vehicle/Speed.data",
+        "formula: >\\n        always SEAT == '^'                 ; OCCUPIED",
+        "formula: >\\n        always SEAT ==\\n          'OCC^'    ; OCCUPIED",
+      })
+  void aFormulaOverSeveralLinesHasTheWordsOfOne(String written, String expected) {
+    String marked = formulas(written.replace("\\n", "\n").replace("SEAT", SEAT));
+    List<Completion> found = analysis(marked).completions(cursor(marked));
+    assertTrue(
+        found.stream().anyMatch(each -> each.label().equals(expected)),
+        () -> written + ": " + found.stream().map(Completion::label).toList());
+    int line = cursor(marked).line();
+    assertTrue(found.stream().allMatch(each -> each.replaced().start().line() == line));
+  }
+
+  private static String formulas(String formula) {
+    return "accept:\n  formulas:\n    - name: a\n      " + formula + "\n      optional: true\n";
+  }
+
+  /** Behind the text, keys go on; a text that is no formula has no words. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "formula: >\n        always\n      op^",
+        "formula: >\n        always /a.b ==\n      op^",
+        "about: >\n        alw^",
+      })
+  void otherLinesHaveNone(String written) {
+    String marked = formulas(written);
+    assertTrue(
+        analysis(marked).completions(cursor(marked)).stream()
+            .noneMatch(each -> each.label().equals("always") || each.label().contains("OCC")));
+  }
+
+  @Test
+  void wordsAndSignalsOfSeveralLinesAreDescribedAndLeadToTheirOwners() {
+    String word = formulas("formula: >\n        always\n          ego.sp^eed > 1 m/s");
+    assertTrue(
+        analysis(word).hover(cursor(word)).orElseThrow().markdown().startsWith("in m/s"),
+        () -> analysis(word).hover(cursor(word)).orElseThrow().markdown());
+    String signal =
+        formulas("formula: |\n        always\n          " + SPEED.replace("Speed", "Sp^eed"));
+    assertTrue(analysis(signal).hover(cursor(signal)).isPresent());
+    assertEquals(1, analysis(signal).definitions(cursor(signal)).size());
+    String other = formulas("about: >\n        it is al^ways true");
+    assertEquals(Optional.empty(), analysis(other).hover(cursor(other)));
+  }
+
+  @Test
+  void aSourceOfABenchMayTakeSeveralLines() {
+    String marked =
+        "provides:\n  /a:\n    rate_hz: 10\n    fields:\n      data: >\n        min(ego.sp^, 1)\n";
+    List<String> found =
+        analysis("bench.yaml", marked).completions(cursor(marked)).stream()
+            .map(Completion::label)
+            .toList();
+    assertTrue(found.contains("ego.speed"), found.toString());
   }
 }

@@ -21,7 +21,7 @@ final class FormulaNames {
   private static final String FIELD = "(?<topic>(?:/[A-Za-z_]\\w*)+)\\.(?<path>[A-Za-z_][\\w.]*)";
   private static final Pattern COMPARED =
       Pattern.compile(
-          FIELD + "\\s*[=!]=\\s*(?<quote>['\"]?)(?<begun>(?<=['\"])[^'\"=]*|[^'\"=\\s]*)$");
+          FIELD + "\\s*[=!]=\\s*(?<quote>['\"]?)(?<begun>(?<=['\"])[^'\"=\n]*|[^'\"=\\s]*)\\z");
   private static final Pattern READ = Pattern.compile(FIELD);
 
   /** An operator or a quantity of the world. */
@@ -61,24 +61,29 @@ final class FormulaNames {
   }
 
   private boolean isFormula(int offset) {
-    return isBench
-        ? new YamlText(text).place(offset).filter(FormulaNames::isSource).isPresent()
-        : FORMULA.matcher(text.substring(begin(offset), offset)).matches();
-  }
-
-  private static boolean isSource(YamlPlace place) {
-    String path = String.join("\n", place.path());
-    return place.takesValue() && SOURCE.matcher(path).matches();
+    YamlText yaml = new YamlText(text);
+    Optional<List<String>> inLines = yaml.textInLines(offset);
+    if (isBench) {
+      return inLines
+          .or(() -> yaml.place(offset).filter(YamlPlace::takesValue).map(YamlPlace::path))
+          .filter(path -> SOURCE.matcher(String.join("\n", path)).matches())
+          .isPresent();
+    }
+    return inLines
+        .map(path -> !path.isEmpty() && path.get(path.size() - 1).equals("formula"))
+        .orElseGet(() -> FORMULA.matcher(text.substring(begin(offset), offset)).matches());
   }
 
   /** Returns the names with which the signal before an offset can be compared. */
   List<Completion> compared(int offset) {
-    Matcher compared = COMPARED.matcher(text.substring(begin(offset), offset));
+    // A text in lines may have the signal on the line before.
+    int from = new YamlText(text).textInLines(offset).isPresent() ? 0 : begin(offset);
+    Matcher compared = COMPARED.matcher(text.substring(from, offset));
     if (!compared.find()) {
       return List.of();
     }
     String quote = compared.group("quote");
-    int start = begin(offset) + compared.start("begun");
+    int start = from + compared.start("begun");
     boolean isClosed = !quote.isEmpty() && text.startsWith(quote, offset);
     return project.valueNames(compared.group("topic"), compared.group("path")).stream()
         .map(

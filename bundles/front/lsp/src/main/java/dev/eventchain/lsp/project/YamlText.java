@@ -41,6 +41,19 @@ final class YamlText {
   }
 
   /**
+   * Returns the keys around the text in lines that an offset lies in, behind {@code >} or {@code
+   * |}; empty elsewhere.
+   */
+  Optional<List<String>> textInLines(int offset) {
+    int begin = offset == 0 ? 0 : text.lastIndexOf('\n', offset - 1) + 1;
+    YamlLevels levels = new YamlLevels();
+    text.substring(0, begin).lines().forEach(levels::read);
+    return levels.isText(YamlLevels.indent(text.substring(begin, offset)))
+        ? Optional.of(levels.path())
+        : Optional.empty();
+  }
+
+  /**
    * Returns the scalar that a path leads to, if it stands behind its key on a line of its own;
    * empty if there is none.
    */
