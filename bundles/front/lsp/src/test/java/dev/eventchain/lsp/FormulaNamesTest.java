@@ -3,20 +3,14 @@ package dev.eventchain.lsp;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.Completion;
+import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.Hover;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.TextPosition;
-import dev.eventchain.editing.Workspace;
-import dev.eventchain.fixtures.Repository;
-import dev.eventchain.lsp.project.ProjectLanguageService;
-import dev.eventchain.lsp.text.OpenTexts;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -27,38 +21,12 @@ class FormulaNamesTest {
 
   private static final String SEAT = "/vss/Vehicle/Cabin/Seat/Row2/Middle/OccupancyStatus.data";
 
-  /** A workspace with one text, which is not saved. */
-  private record OnlyText(Path opened, String text) implements Workspace {
-    @Override
-    public List<Path> files() {
-      return List.of();
-    }
-
-    @Override
-    public Optional<SourceText> text(Path file) {
-      return Optional.of(
-          file.equals(opened) ? SourceText.of(file.toString(), text) : SourceText.read(file));
-    }
-
-    @Override
-    public List<EPackage> metamodels(Path file) {
-      return List.of();
-    }
-  }
-
   private static Analysis analysis(String marked) {
     return analysis("scenarios/new.yaml", marked);
   }
 
   private static Analysis analysis(String file, String marked) {
-    Path opened =
-        Repository.ROOT
-            .toAbsolutePath()
-            .normalize()
-            .resolve("examples/child-presence")
-            .resolve(file);
-    OnlyText only = new OnlyText(opened, marked.replace("^", ""));
-    return new ProjectLanguageService(only, new OpenTexts()).analysis(opened).orElseThrow();
+    return UnsavedText.analysis("examples/child-presence/" + file, marked);
   }
 
   private static String formula(String rest) {
@@ -202,5 +170,59 @@ class FormulaNamesTest {
             .map(Completion::label)
             .toList();
     assertTrue(found.contains("ego.speed"), found.toString());
+  }
+
+  /** Units behind a number: those of what it is compared with come first. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "always ego.speed > 13 ^; m/s; km/h",
+        "always SPEED > 13 ^; km/h; m/s",
+        "always ttc < 4 s implies ego.speed > 3m^; m/s; km/h",
+        "always abs(ego.acceleration + 4 m/s2) <= 1.5e-1 m/^; m/s2; m",
+        "always[0, 2 ^; s; ms",
+        "always[0, 2 s] gap > 4 ^; m; km",
+        "always 3 ^; m; %",
+      })
+  void unitsAreProposedBehindNumbers(String formula, String first, String later) {
+    String marked = formulas("formula: " + formula.replace("SPEED", SPEED));
+    List<Completion> found = analysis(marked).completions(cursor(marked));
+    List<String> labels = found.stream().map(Completion::label).toList();
+    assertEquals(first, labels.get(0));
+    assertTrue(labels.contains(later), labels.toString());
+    TextLines lines = new TextLines(marked.replace("^", ""));
+    int start = lines.offset(found.get(0).replaced().start());
+    String before = marked.substring(0, start);
+    assertTrue(before.matches("(?s).*\\d ?"), before);
+    assertTrue(
+        found.stream()
+            .filter(each -> each.label().equals("min"))
+            .allMatch(each -> each.kind() == ElementKind.KEYWORD),
+        "a function in formulas");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "scenarios/a.yaml; formula: always ego.speed ^",
+        "scenarios/a.yaml; formula: always ego.speed > 3^",
+        "scenarios/a.yaml; formula: always ego.speed > 3 m/s ^",
+        "scenarios/a.yaml; title: 3 ^",
+        "campaigns/a.yaml; formula: 3 ^",
+      })
+  void noUnitsAreProposedElsewhere(String file, String written) {
+    String marked = formulas(written);
+    assertTrue(
+        analysis(file, marked).completions(cursor(marked)).stream()
+            .noneMatch(each -> each.label().equals("km/h")));
+  }
+
+  @Test
+  void numbersOfABenchHaveTheUnitsOfTheirField() {
+    String marked =
+        "provides:\n  /vss/Vehicle/Speed:\n    rate_hz: 10\n    fields:\n      data: max(1 ^\n";
+    assertEquals("km/h", analysis("bench.yaml", marked).completions(cursor(marked)).get(0).label());
   }
 }

@@ -3,6 +3,7 @@ package dev.eventchain.messages;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -22,6 +23,9 @@ public final class Unit {
 
   /** A project has few units, and a simulation asks for them with each message. */
   private static final int MOST_PARSED = 500;
+
+  private static final List<String> COMMON =
+      List.of("m", "km", "cm", "s", "ms", "m/s", "km/h", "m/s2", "deg", "rad", "%", "1");
 
   private static final Map<String, Optional<Unit>> PARSED = new ConcurrentHashMap<>();
 
@@ -68,6 +72,18 @@ public final class Unit {
       }
     }
     return parsed;
+  }
+
+  /** Returns the units that people write most about vehicles. */
+  public static List<String> common() {
+    return COMMON;
+  }
+
+  /**
+   * Returns all symbols of units, without prefixes: {@code Pa}, of which {@code kPa} is one, too.
+   */
+  public static List<String> symbols() {
+    return UnitTable.symbols();
   }
 
   /**

@@ -1,9 +1,11 @@
 package dev.eventchain.messages;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * Symbols of units, and the prefixes that some of them take. C and F are excluded, since they are
@@ -174,6 +176,11 @@ final class UnitTable {
         .filter(it -> WORDS.containsKey(word.substring(it.getKey().length())))
         .map(it -> times(it.getValue(), WORDS.get(word.substring(it.getKey().length()))))
         .findFirst();
+  }
+
+  /** Returns the symbols without a prefix, in the order of their letters. */
+  static List<String> symbols() {
+    return Stream.concat(PLAIN.keySet().stream(), PREFIXED.keySet().stream()).sorted().toList();
   }
 
   private static Unit times(String prefix, String symbol) {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -156,5 +157,12 @@ class UnitTest {
     Unit second = Unit.parse("s").orElseThrow();
     assertEquals(
         Unit.Relation.SAME, metre.times(second, -1).relationTo(Unit.parse("m/s").orElseThrow()));
+  }
+
+  @Test
+  void whatIsListedIsUnderstood() {
+    Unit.common().forEach(UnitTest::unit);
+    Unit.symbols().forEach(UnitTest::unit);
+    assertTrue(Unit.symbols().containsAll(List.of("m", "Pa", "kmh", "degC")));
   }
 }

@@ -4,6 +4,7 @@ import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.Unit;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.EventChain;
@@ -16,12 +17,14 @@ import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.xmi.LoadedModel;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * The simulated world's inputs and outputs, and their connections with a project.
@@ -105,9 +108,10 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
    * A word of formulas.
    *
    * @param isOperator true for an operator or a function, false for a quantity of the world
+   * @param unit that of a quantity; empty for a truth value or an operator
    * @param about what it means, in Markdown
    */
-  public record FormulaWord(boolean isOperator, String about) {}
+  public record FormulaWord(boolean isOperator, String unit, String about) {}
 
   /** Returns the words of formulas that no project declares: operators and quantities. */
   public static Map<String, FormulaWord> formulaWords() {
@@ -116,13 +120,35 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
       String about = "`" + each.written() + "`: " + each.meaning();
       Matcher word = OPERATOR.matcher(each.written());
       while (word.find()) {
-        words.putIfAbsent(word.group(), new FormulaWord(true, about));
+        words.putIfAbsent(word.group(), new FormulaWord(true, "", about));
       }
     }
     for (WorldReference.Entry each : WorldReference.quantities()) {
       String unit = each.unit().isEmpty() ? "true or false" : "in " + each.unit();
-      words.put(each.name(), new FormulaWord(false, unit + ": " + each.meaning()));
+      words.put(each.name(), new FormulaWord(false, each.unit(), unit + ": " + each.meaning()));
     }
     return words;
+  }
+
+  /**
+   * Returns the units of benches and formulas, those first whose numbers can be converted to
+   * another one.
+   *
+   * @param like the other one, which comes first of all; none comes first if it is unknown
+   */
+  public static List<String> units(String like) {
+    Optional<Unit> wanted = Unit.parse(like);
+    Stream<String> written = wanted.isPresent() ? Stream.of(like) : Stream.empty();
+    return Stream.concat(written, WorldReference.units().stream())
+        .distinct()
+        .sorted(Comparator.comparing(each -> !wanted.map(it -> isOf(each, it)).orElse(false)))
+        .toList();
+  }
+
+  private static boolean isOf(String unit, Unit other) {
+    return switch (Unit.parse(unit).orElseThrow().relationTo(other)) {
+      case SAME, CONVERTIBLE -> true;
+      case ANGLE, INCOMPATIBLE -> false;
+    };
   }
 }

@@ -5,6 +5,7 @@ import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.Hover;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.TextRange;
+import dev.eventchain.lsp.project.ProjectSchemas.Kind;
 import dev.eventchain.pipeline.ProjectBench;
 import dev.eventchain.pipeline.ProjectBench.FormulaWord;
 import java.util.ArrayList;
@@ -14,6 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /** Names of values in formulas: what is proposed behind a signal, and what is said of it. */
 final class FormulaNames {
@@ -27,6 +29,21 @@ final class FormulaNames {
   /** An operator or a quantity of the world. */
   private static final Pattern WORD =
       Pattern.compile("(?<![\\w.])[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*");
+
+  private static final Pattern NAMED = Pattern.compile(FIELD + "|" + WORD.pattern());
+
+  /** A number, and what is begun of its unit. */
+  private static final Pattern NUMBER =
+      Pattern.compile(
+          "(?<![\\w.])\\d[\\d.]*(?:[eE][-+]?\\d+)?(?:\\s+|(?=[A-Za-z%]))(?<begun>%?|[A-Za-z][\\w/^]*)\\z");
+
+  /** A unit as a formula takes it behind a number. */
+  private static final Pattern UNIT = Pattern.compile("%|[A-Za-z][\\w/]*");
+
+  /** The beginning of an interval, whose numbers are times. */
+  private static final Pattern INTERVAL = Pattern.compile("\\[[^\\[\\](){}:]*\\z");
+
+  private static final String SECOND = "s";
 
   /** Text before the words of a formula on its line, in scenarios and campaigns. */
   private static final Pattern FORMULA = Pattern.compile("[^#]*\\bformula: .*");
@@ -46,17 +63,19 @@ final class FormulaNames {
   private final ProjectFiles project;
   private final String text;
   private final TextLines lines;
+  private final Kind kind;
   private final boolean isBench;
 
   /**
    * Creates the names of a text.
    *
-   * @param isBench true if inputs and the sources of fields are formulas
+   * @param kind that of its file: in a bench, inputs and the sources of fields are formulas
    */
-  FormulaNames(ProjectFiles project, String text, boolean isBench) {
+  FormulaNames(ProjectFiles project, String text, Kind kind) {
     this.project = project;
     this.text = text;
-    this.isBench = isBench;
+    this.kind = kind;
+    this.isBench = kind == Kind.BENCH;
     this.lines = new TextLines(text);
   }
 
@@ -99,8 +118,52 @@ final class FormulaNames {
         .toList();
   }
 
-  /** Returns the signals, quantities and operators of a formula. */
+  /** Returns the signals, quantities, operators and units of a formula. */
   List<Completion> words(int offset) {
+    return Stream.concat(units(offset).stream(), names(offset).stream()).toList();
+  }
+
+  /** Returns the units of a number before an offset; formulas of campaigns have none. */
+  private List<Completion> units(int offset) {
+    Matcher number = NUMBER.matcher(text.substring(begin(offset), offset));
+    if (kind == Kind.CAMPAIGN || !number.find() || !isFormula(begin(offset) + number.start())) {
+      return List.of();
+    }
+    TextRange replaced = lines.range(begin(offset) + number.start("begun"), offset);
+    return ProjectBench.units(unitBefore(begin(offset) + number.start())).stream()
+        .filter(unit -> UNIT.matcher(unit).matches() && !WORDS.containsKey(unit))
+        .map(
+            unit ->
+                new Completion(
+                    unit, ElementKind.ENUMERATION_LITERAL, "", "", unit, false, replaced))
+        .toList();
+  }
+
+  /** Returns the unit of the name before a number, or else of the field that a bench sends. */
+  private String unitBefore(int offset) {
+    String before = text.substring(begin(offset), offset);
+    if (INTERVAL.matcher(before).find()) {
+      return SECOND;
+    }
+    String unit = "";
+    Matcher name = NAMED.matcher(before);
+    while (name.find()) {
+      String found =
+          name.group("topic") != null
+              ? project.unit(name.group("topic"), name.group("path"))
+              : Optional.ofNullable(WORDS.get(name.group())).map(FormulaWord::unit).orElse("");
+      unit = found.isEmpty() ? unit : found;
+    }
+    YamlText yaml = new YamlText(text);
+    return unit.isEmpty() && isBench
+        ? yaml.textInLines(offset)
+            .or(() -> yaml.place(offset).map(YamlPlace::path))
+            .map(path -> ProjectNames.fieldUnit(project, path))
+            .orElse("")
+        : unit;
+  }
+
+  private List<Completion> names(int offset) {
     Matcher begun = BEGUN.matcher(text.substring(begin(offset), offset));
     if (!begun.find() || !isFormula(begin(offset) + begun.start())) {
       return List.of();

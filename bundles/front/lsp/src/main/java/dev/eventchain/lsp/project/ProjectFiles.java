@@ -102,6 +102,17 @@ final class ProjectFiles {
         .orElse(Map.of());
   }
 
+  /** Returns the unit of a topic's field; empty if it is not stated. */
+  String unit(String topic, String path) {
+    return signals().stream()
+        .filter(each -> each.topic().equals(topic))
+        .flatMap(each -> each.fields().stream())
+        .filter(each -> each.path().equals(path))
+        .map(Signal.Field::unit)
+        .findFirst()
+        .orElse("");
+  }
+
   private List<Signal> signals() {
     return base().flatMap(SoftwareBase::signals).orElse(List.of());
   }

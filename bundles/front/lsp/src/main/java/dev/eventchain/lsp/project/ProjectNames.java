@@ -3,6 +3,7 @@ package dev.eventchain.lsp.project;
 import dev.eventchain.diagnostics.RulePage;
 import dev.eventchain.lsp.project.ProjectSchemas.Kind;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.pipeline.ProjectBench;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -63,6 +64,23 @@ final class ProjectNames {
   /** Returns whether a path leads to the fields of a topic in a bench. */
   static boolean isFields(List<String> path) {
     return path.size() == 3 && path.get(2).equals("fields");
+  }
+
+  /**
+   * Returns the units that may stand at a place, those of the field there first; they have no place
+   * of their own that editors could lead to.
+   */
+  List<String> units(Kind kind, YamlPlace place) {
+    return kind == Kind.BENCH && place.lastKey().equals("unit")
+        ? ProjectBench.units(fieldUnit(project, place.path()))
+        : List.of();
+  }
+
+  /** Returns the unit of the field that a path in a bench leads to; empty if there is none. */
+  static String fieldUnit(ProjectFiles project, List<String> path) {
+    return path.size() > 3 && isFields(path.subList(0, 3))
+        ? project.unit(path.get(1), path.get(3))
+        : "";
   }
 
   /** Returns the names that may be the value of a place, each with what is known about it. */

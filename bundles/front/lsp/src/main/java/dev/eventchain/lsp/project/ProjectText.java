@@ -189,7 +189,7 @@ final class ProjectText implements Analysis {
     return project
         .kind(file, text)
         .filter(FORMULAS::contains)
-        .map(kind -> new FormulaNames(project, text, kind == ProjectSchemas.Kind.BENCH));
+        .map(kind -> new FormulaNames(project, text, kind));
   }
 
   /** Proposes requirements where the words of a line ask for some. */

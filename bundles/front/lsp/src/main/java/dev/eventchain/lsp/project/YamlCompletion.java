@@ -144,6 +144,7 @@ final class YamlCompletion {
     names
         .values(kind, place)
         .forEach((name, about) -> found.add(value(name, ElementKind.REFERENCE, about, place)));
+    names.units(kind, place).forEach(unit -> found.add(unit(unit, place)));
     if (kind == Kind.CAMPAIGN) {
       FactorPlace.of(place)
           .map(it -> it.scenario(new YamlText(text)))
@@ -173,6 +174,20 @@ final class YamlCompletion {
         (isJoined ? " " : "") + (needsQuotes ? '"' + path + '"' : path),
         false,
         lines.range(start, start + text.substring(start, end).stripTrailing().length()));
+  }
+
+  /** Returns a unit; in YAML, a number and a percentage need quotation marks to be one. */
+  private Completion unit(String unit, YamlPlace place) {
+    char before = place.start() > 0 ? text.charAt(place.start() - 1) : ' ';
+    boolean isPlain = "\"'".indexOf(before) >= 0 || Character.isLetter(unit.charAt(0));
+    return new Completion(
+        unit,
+        ElementKind.ENUMERATION_LITERAL,
+        "",
+        "",
+        (before == ':' ? " " : "") + (isPlain ? unit : '"' + unit + '"'),
+        false,
+        replaced(place));
   }
 
   private Completion value(

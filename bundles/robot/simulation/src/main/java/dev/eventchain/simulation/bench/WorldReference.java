@@ -1,5 +1,6 @@
 package dev.eventchain.simulation.bench;
 
+import dev.eventchain.messages.Unit;
 import dev.eventchain.openscenario.storyboard.check.Feature;
 import dev.eventchain.simulation.formula.ActorSignals;
 import dev.eventchain.simulation.formula.Operator;
@@ -11,6 +12,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /** Names of the world that benches and scenarios can use, for the documentation. */
 public final class WorldReference {
@@ -57,6 +59,19 @@ public final class WorldReference {
   public static List<Entry> actuators() {
     return Arrays.stream(Actuator.values())
         .map(it -> new Entry(it.id(), it.truth() ? "" : it.unitText(), it.meaning()))
+        .toList();
+  }
+
+  /** Returns the units that people write most, those of the world, and the symbols of all. */
+  public static List<String> units() {
+    Stream<String> ofTheWorld =
+        Stream.of(quantities(), actorQuantities(), objectProperties(), actuators())
+            .flatMap(List::stream)
+            .map(Entry::unit)
+            .filter(unit -> !unit.isEmpty());
+    return Stream.of(Unit.common().stream(), ofTheWorld, Unit.symbols().stream())
+        .flatMap(units -> units)
+        .distinct()
         .toList();
   }
 

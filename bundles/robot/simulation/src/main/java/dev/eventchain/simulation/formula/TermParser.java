@@ -18,9 +18,6 @@ import java.util.stream.Collectors;
 /** Parses the quantities of a formula, and checks their units. */
 final class TermParser {
 
-  private static final List<String> UNITS =
-      List.of("m", "km", "cm", "s", "ms", "m/s", "km/h", "m/s2", "deg", "rad", "%", "1");
-
   private static final double STEP = World.seconds(World.TRACE_STEP);
   private static final Term SECOND = Term.number(1, Unit.parse("s").orElseThrow(), "s");
 
@@ -131,7 +128,7 @@ final class TermParser {
   private Unit unit(String text, Token token) {
     Optional<Unit> unit = Unit.parse(text);
     if (unit.isEmpty()) {
-      String hint = NearestName.hint(text, UNITS);
+      String hint = NearestName.hint(text, Unit.common());
       String blanks = text.contains("/") ? " Any other division needs spaces." : "";
       throw tokens.unitProblem(token, "There is no unit '" + text + "'.", hint + blanks);
     }
