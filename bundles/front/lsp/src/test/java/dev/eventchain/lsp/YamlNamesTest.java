@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.Completion;
+import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.TextPosition;
 import java.util.List;
@@ -83,5 +84,59 @@ class YamlNamesTest {
     Analysis analysis = analysis("bench.yaml", marked);
     assertEquals(List.of(), analysis.references(cursor(marked), true));
     assertEquals(Optional.empty(), analysis.hover(cursor(marked)));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "mutants.yaml; - component: ^; Brake_Request; - component: Brake_Request",
+        "eventchain-suppressions.yaml; - id: a.b\\n  element: ^; EventChain[radar_aeb]/software[Brake_Request]; element: EventChain[radar_aeb]/software[Brake_Request]",
+        "eventchain-suppressions.yaml; - id: a.b\\n  element: Event^Chain[x]/so; EventChain[radar_aeb]/software[Brake_Request]; element: EventChain[radar_aeb]/software[Brake_Request]",
+        "eventchain-suppressions.yaml; - {id: a.b, element: ^}; EventChain[radar_aeb]/software[Brake_Request]; element: \"EventChain[radar_aeb]/software[Brake_Request]\"}",
+      })
+  void componentsAreProposed(String file, String written, String label, String expected) {
+    String marked = written.replace("\\n", "\n");
+    List<Completion> found = proposals(file, marked);
+    Completion component =
+        found.stream()
+            .filter(each -> each.label().equals(label))
+            .findFirst()
+            .orElseThrow(
+                () -> new AssertionError(found.stream().map(Completion::label).toList()));
+    assertTrue(component.documentation().startsWith("Brakes with 9 m/s2"));
+    assertTrue(taken(marked, component).endsWith(expected), taken(marked, component));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "mutants.yaml; - component: Brake_^Request",
+        "eventchain-suppressions.yaml; - element: EventChain[radar_aeb]/software[Brake^_Request]/measured",
+        "eventchain-suppressions.yaml; - {element: '*/software[Brake^_Request]'}",
+      })
+  void componentsAreDescribedAndLeadToTheirFile(String file, String marked) {
+    Analysis analysis = analysis(file, marked);
+    String about = analysis.hover(cursor(marked)).orElseThrow().markdown();
+    assertTrue(about.startsWith("Brakes with 9 m/s2"), about);
+    List<FileRange> found = analysis.definitions(cursor(marked));
+    assertEquals(1, found.size());
+    assertTrue(found.get(0).file().endsWith("software-base/components.json"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "mutants.yaml; - component: No^body",
+        "mutants.yaml; - reason: Brake_^Request",
+        "eventchain-suppressions.yaml; - element: EventChain[x]/software[No^body]",
+        "eventchain-suppressions.yaml; - element: EventChain[rada^r_aeb]/software[Brake_Request]",
+        "eventchain-suppressions.yaml; - reason: EventChain[x]/software[Brake^_Request]",
+      })
+  void whatNamesNoComponentLeadsNowhere(String file, String marked) {
+    Analysis analysis = analysis(file, marked);
+    assertEquals(List.of(), analysis.definitions(cursor(marked)));
   }
 }

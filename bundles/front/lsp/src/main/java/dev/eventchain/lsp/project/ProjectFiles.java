@@ -16,11 +16,13 @@ import dev.eventchain.model.Signal;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.campaign.plan.FactorPaths;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectLayout;
 import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.project.ValueNames;
+import dev.eventchain.xmi.LoadedModel;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -32,6 +34,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -73,6 +76,20 @@ final class ProjectFiles {
                 found.putIfAbsent(
                     each.getName(), Objects.requireNonNullElse(each.getDescription(), "")));
     return found;
+  }
+
+  /** Returns the paths of the components in the chain, as findings name elements. */
+  Map<String, String> elements() {
+    return ofChain(
+            (chain, model) -> {
+              Map<String, String> found = new LinkedHashMap<>();
+              for (SoftwareNode each : chain.getSoftware()) {
+                String about = Objects.requireNonNullElse(each.getDescription(), "");
+                found.put(model.origins().locate(each).element(), about);
+              }
+              return found;
+            })
+        .orElse(Map.of());
   }
 
   /** Returns the topics of the software base and of the chain, with what is known of them. */
@@ -196,14 +213,20 @@ final class ProjectFiles {
   }
 
   private Optional<EventChain> chain() {
+    return ofChain((chain, model) -> chain);
+  }
+
+  private <T> Optional<T> ofChain(BiFunction<EventChain, LoadedModel, T> asked) {
     return folder
         .model(folder.defaultOutput())
         .flatMap(
             file ->
                 known(
-                    () ->
-                        ChainModel.chainOf(
-                            EventChainMetamodel.store(file.resolveSibling("")).load(file), file)));
+                    () -> {
+                      LoadedModel model =
+                          EventChainMetamodel.store(file.resolveSibling("")).load(file);
+                      return asked.apply(ChainModel.chainOf(model, file), model);
+                    }));
   }
 
   /** Returns what the texts that are open say; empty if they cannot be read. */

@@ -8,12 +8,17 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 
 /** Places where the YAML of a project names its requirements, components, topics and scenarios. */
 final class ProjectNames {
 
   private static final Set<String> COMPONENT = Set.of("kill", "stop", "node");
+
+  private static final Pattern COMPONENT_STEP = Pattern.compile("/software\\[([^\\]\\n]+)\\]");
 
   private final ProjectFiles project;
   private final Path file;
@@ -57,13 +62,42 @@ final class ProjectNames {
               ? project.topics()
               : isFields(path) ? project.fieldsOf(path.get(1)) : Map.of();
       case SETTINGS -> path.equals(List.of("strength", "requirements")) ? requirements() : Map.of();
-      case SUPPRESSIONS, FAULTS, CAMPAIGN -> Map.of();
+      case SUPPRESSIONS, MUTANTS, FAULTS, CAMPAIGN -> Map.of();
     };
   }
 
   /** Returns whether a path leads to the fields of a topic in a bench. */
   static boolean isFields(List<String> path) {
     return path.size() == 3 && path.get(2).equals("fields");
+  }
+
+  /** Returns the paths of the components in the chain where suppressions name an element. */
+  Map<String, String> elements(Kind kind, YamlPlace place) {
+    return namesElement(kind, place) ? project.elements() : Map.of();
+  }
+
+  private static boolean namesElement(Kind kind, YamlPlace place) {
+    return kind == Kind.SUPPRESSIONS && place.takesValue() && place.lastKey().equals("element");
+  }
+
+  /** Returns the component in the path of an element at an offset of a place. */
+  Optional<MatchResult> inElement(Kind kind, YamlPlace place, String text, int offset) {
+    int begin = offset == 0 ? 0 : text.lastIndexOf('\n', offset - 1) + 1;
+    int end = text.indexOf('\n', offset);
+    return namesElement(kind, place)
+        ? COMPONENT_STEP
+            .matcher(text)
+            .region(begin, end < 0 ? text.length() : end)
+            .results()
+            .filter(each -> each.start(1) <= offset && offset <= each.end(1))
+            .filter(each -> project.components().containsKey(each.group(1)))
+            .findFirst()
+        : Optional.empty();
+  }
+
+  /** Returns what is known of a component. */
+  String about(String component) {
+    return project.components().getOrDefault(component, "");
   }
 
   /**
@@ -90,6 +124,8 @@ final class ProjectNames {
     if (isOfScenarios && last.equals("scenario")) {
       return project.scenarios();
     } else if (kind == Kind.FAULTS && COMPONENT.contains(last)) {
+      return project.components();
+    } else if (kind == Kind.MUTANTS && last.equals("component")) {
       return project.components();
     } else if (kind == Kind.FAULTS && last.equals("topic")) {
       return project.topics();

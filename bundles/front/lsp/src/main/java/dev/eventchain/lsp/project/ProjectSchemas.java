@@ -11,13 +11,14 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
 
-/** The published schemas of a project's files in YAML. */
+/** The published schemas of a project's files in YAML; some kinds have none. */
 final class ProjectSchemas {
 
   /** A kind of files with a schema. */
   enum Kind {
     SETTINGS,
     SUPPRESSIONS,
+    MUTANTS,
     BENCH,
     SCENARIO,
     FAULTS,
@@ -31,10 +32,14 @@ final class ProjectSchemas {
           Kind.SETTINGS,
           ProjectLayout.SUPPRESSIONS,
           Kind.SUPPRESSIONS,
+          ProjectLayout.MUTANTS,
+          Kind.MUTANTS,
           ProjectLayout.BENCH,
           Kind.BENCH,
           ProjectLayout.FAULTS,
           Kind.FAULTS);
+
+  private static final String NOTHING = "{}";
 
   private final Map<Kind, ProjectSchema> read = new EnumMap<>(Kind.class);
 
@@ -61,6 +66,7 @@ final class ProjectSchemas {
 
   private static String text(Kind kind) {
     return switch (kind) {
+      case MUTANTS -> NOTHING;
       case SETTINGS -> Configuration.schema();
       case SUPPRESSIONS -> SuppressionFile.schema();
       case BENCH -> ProjectBench.schema();

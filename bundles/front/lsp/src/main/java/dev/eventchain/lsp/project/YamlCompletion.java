@@ -53,17 +53,32 @@ final class YamlCompletion {
                     at ->
                         Optional.ofNullable(names.at(kind, at).get(word(at)))
                             .filter(about -> !about.isEmpty())
-                            .map(about -> new Hover(about, replaced(at)))));
+                            .map(about -> new Hover(about, replaced(at)))))
+        .or(
+            () ->
+                place
+                    .flatMap(at -> names.inElement(kind, at, text, offset))
+                    .filter(step -> !names.about(step.group(1)).isEmpty())
+                    .map(
+                        step ->
+                            new Hover(
+                                names.about(step.group(1)),
+                                lines.range(step.start(1), step.end(1)))));
   }
 
   /** Returns the name at an offset, if the project has it: of a component, topic or scenario. */
   Optional<String> name(int offset) {
-    return new YamlText(text)
-        .place(offset)
+    Optional<YamlPlace> place = new YamlText(text).place(offset);
+    return place
         .filter(at -> names.at(kind, at).containsKey(word(at)))
         .filter(
             at -> !ProjectNames.isFields(at.path())) // their names are those of other things, too
-        .map(this::word);
+        .map(this::word)
+        .or(
+            () ->
+                place
+                    .flatMap(at -> names.inElement(kind, at, text, offset))
+                    .map(step -> step.group(1)));
   }
 
   private String word(YamlPlace place) {
@@ -144,17 +159,20 @@ final class YamlCompletion {
     names
         .values(kind, place)
         .forEach((name, about) -> found.add(value(name, ElementKind.REFERENCE, about, place)));
+    names
+        .elements(kind, place)
+        .forEach((path, about) -> found.add(path(path, "", about, place)));
     names.units(kind, place).forEach(unit -> found.add(unit(unit, place)));
     if (kind == Kind.CAMPAIGN) {
       FactorPlace.of(place)
           .map(it -> it.scenario(new YamlText(text)))
           .map(names::factorPaths)
-          .ifPresent(paths -> paths.forEach((path, now) -> found.add(path(path, now, place))));
+          .ifPresent(paths -> paths.forEach((path, now) -> found.add(path(path, now, "", place))));
     }
   }
 
   /** Returns a path, which replaces all that is written, and needs quotes in brackets. */
-  private Completion path(String path, String now, YamlPlace place) {
+  private Completion path(String path, String now, String about, YamlPlace place) {
     int start = place.start();
     boolean isQuoted = start > 0 && "\"'".indexOf(text.charAt(start - 1)) >= 0;
     String ends = isQuoted ? "\"'\r\n" : place.isFlow() ? ",}\r\n" : "\r\n";
@@ -170,7 +188,7 @@ final class YamlCompletion {
         path,
         ElementKind.REFERENCE,
         now,
-        "",
+        about,
         (isJoined ? " " : "") + (needsQuotes ? '"' + path + '"' : path),
         false,
         lines.range(start, start + text.substring(start, end).stripTrailing().length()));
