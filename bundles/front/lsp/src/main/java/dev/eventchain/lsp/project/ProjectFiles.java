@@ -78,6 +78,15 @@ final class ProjectFiles {
     return found;
   }
 
+  /** Returns a component as the chain has it, or else the software base. */
+  Optional<SoftwareNode> component(String name) {
+    return Stream.concat(
+            chain().stream().flatMap(each -> each.getSoftware().stream()),
+            base().stream().flatMap(each -> each.descriptions().stream()))
+        .filter(each -> name.equals(each.getName()))
+        .findFirst();
+  }
+
   /** Returns the paths of the components in the chain, as findings name elements. */
   Map<String, String> elements() {
     return ofChain(

@@ -62,12 +62,27 @@ final class ProjectNames {
               ? project.topics()
               : isFields(path) ? project.fieldsOf(path.get(1)) : Map.of();
       case SETTINGS -> path.equals(List.of("strength", "requirements")) ? requirements() : Map.of();
+      case TESTS -> tested().keys(path);
       case SUPPRESSIONS, MUTANTS, FAULTS, CAMPAIGN -> Map.of();
     };
   }
 
+  /** Returns the inputs and outputs of the component whose tests the file has. */
+  private ComponentNames tested() {
+    return new ComponentNames(project, file.getFileName().toString().replaceFirst("\\.ya?ml$", ""));
+  }
+
+  private static boolean namesComponent(Kind kind, YamlPlace place) {
+    return kind == Kind.TESTS && place.path().equals(List.of("component"));
+  }
+
+  /** Returns whether a name is that of one thing: fields and inputs are called as others are. */
+  static boolean isUnique(Kind kind, YamlPlace place) {
+    return kind == Kind.TESTS ? namesComponent(kind, place) : !isFields(place.path());
+  }
+
   /** Returns whether a path leads to the fields of a topic in a bench. */
-  static boolean isFields(List<String> path) {
+  private static boolean isFields(List<String> path) {
     return path.size() == 3 && path.get(2).equals("fields");
   }
 
@@ -125,6 +140,10 @@ final class ProjectNames {
       return project.scenarios();
     } else if (kind == Kind.FAULTS && COMPONENT.contains(last)) {
       return project.components();
+    } else if (kind == Kind.TESTS) {
+      return last.equals("requirement")
+          ? requirements()
+          : namesComponent(kind, place) ? project.components() : tested().values(place);
     } else if (kind == Kind.MUTANTS && last.equals("component")) {
       return project.components();
     } else if (kind == Kind.FAULTS && last.equals("topic")) {

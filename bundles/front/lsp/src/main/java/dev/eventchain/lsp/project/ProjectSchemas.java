@@ -22,7 +22,8 @@ final class ProjectSchemas {
     BENCH,
     SCENARIO,
     FAULTS,
-    CAMPAIGN
+    CAMPAIGN,
+    TESTS
   }
 
   /** The kinds of the files in the folder of a project that have one name. */
@@ -53,6 +54,8 @@ final class ProjectSchemas {
       return Optional.of(BY_NAME.get(first));
     } else if (inside.getNameCount() > 1 && first.equals(ProjectLayout.SCENARIOS)) {
       return Optional.of(Kind.SCENARIO);
+    } else if (inside.getNameCount() > 1 && first.equals(ProjectLayout.TESTS)) {
+      return Optional.of(Kind.TESTS);
     }
     boolean isCampaign =
         (inside.getNameCount() > 1 && first.equals("campaigns")) || CampaignFiles.isCampaign(text);
@@ -66,7 +69,7 @@ final class ProjectSchemas {
 
   private static String text(Kind kind) {
     return switch (kind) {
-      case MUTANTS -> NOTHING;
+      case MUTANTS, TESTS -> NOTHING;
       case SETTINGS -> Configuration.schema();
       case SUPPRESSIONS -> SuppressionFile.schema();
       case BENCH -> ProjectBench.schema();

@@ -11,9 +11,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /** Proposals in a YAML file of a project: what its schema has, and names of the project. */
 final class YamlCompletion {
+
+  /** Words that are no texts in YAML. */
+  private static final Pattern TRUTH = Pattern.compile("(?i)true|false|yes|no|on|off|y|n|null");
 
   private final Kind kind;
   private final ProjectSchema schema;
@@ -71,8 +75,7 @@ final class YamlCompletion {
     Optional<YamlPlace> place = new YamlText(text).place(offset);
     return place
         .filter(at -> names.at(kind, at).containsKey(word(at)))
-        .filter(
-            at -> !ProjectNames.isFields(at.path())) // their names are those of other things, too
+        .filter(at -> ProjectNames.isUnique(kind, at))
         .map(this::word)
         .or(
             () ->
@@ -156,12 +159,8 @@ final class YamlCompletion {
     ProjectSchema.values(schemas)
         .forEach(
             each -> found.add(value(each, ElementKind.ENUMERATION_LITERAL, description, place)));
-    names
-        .values(kind, place)
-        .forEach((name, about) -> found.add(value(name, ElementKind.REFERENCE, about, place)));
-    names
-        .elements(kind, place)
-        .forEach((path, about) -> found.add(path(path, "", about, place)));
+    names.values(kind, place).forEach((name, about) -> found.add(named(name, about, place)));
+    names.elements(kind, place).forEach((path, about) -> found.add(path(path, "", about, place)));
     names.units(kind, place).forEach(unit -> found.add(unit(unit, place)));
     if (kind == Kind.CAMPAIGN) {
       FactorPlace.of(place)
@@ -194,16 +193,27 @@ final class YamlCompletion {
         lines.range(start, start + text.substring(start, end).stripTrailing().length()));
   }
 
+  private Completion named(String name, String about, YamlPlace place) {
+    boolean isText = kind == Kind.TESTS && about.isEmpty();
+    return isText && !name.matches("true|false")
+        ? quoted(name, name.matches("(?i)[a-z_]\\w*") && !TRUTH.matcher(name).matches(), place)
+        : value(name, ElementKind.REFERENCE, about, place);
+  }
+
   /** Returns a unit; in YAML, a number and a percentage need quotation marks to be one. */
   private Completion unit(String unit, YamlPlace place) {
+    return quoted(unit, Character.isLetter(unit.charAt(0)), place);
+  }
+
+  private Completion quoted(String name, boolean isText, YamlPlace place) {
     char before = place.start() > 0 ? text.charAt(place.start() - 1) : ' ';
-    boolean isPlain = "\"'".indexOf(before) >= 0 || Character.isLetter(unit.charAt(0));
+    boolean isPlain = "\"'".indexOf(before) >= 0 || isText;
     return new Completion(
-        unit,
+        name,
         ElementKind.ENUMERATION_LITERAL,
         "",
         "",
-        (before == ':' ? " " : "") + (isPlain ? unit : '"' + unit + '"'),
+        (before == ':' ? " " : "") + (isPlain ? name : '"' + name + '"'),
         false,
         replaced(place));
   }
