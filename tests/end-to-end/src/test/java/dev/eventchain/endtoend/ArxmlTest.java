@@ -30,6 +30,7 @@ class ArxmlTest {
     }
   }
 
+  @InTurn
   @Test
   void signalsOfTheNetworkTakeTheChainToPassed() {
     project.run().expect(0).says("PASSED: 2 of 2 scenarios passed, 4 requirements proved");
