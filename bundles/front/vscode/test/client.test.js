@@ -44,7 +44,8 @@ async function until(what, condition) {
   throw new Error(`never: ${what}; ${stage.messages} ${log.join("\n")}`);
 }
 
-const heard = () => fs.readFileSync(received, "utf8").split("\n").filter(Boolean).map((line) => JSON.parse(line));
+// The last line may still be being written.
+const heard = () => fs.readFileSync(received, "utf8").split("\n").slice(0, -1).map((line) => JSON.parse(line));
 const heardOf = (method) => heard().filter((each) => each.method === method);
 const found = () => stage.shown.get(FILE) || [];
 
