@@ -185,6 +185,35 @@ class CampaignTest {
     campaign("--case", 7).expect(2).says("There is no case 7 of 6.");
   }
 
+  /** With nothing ahead there was no impact, which is a result of a case, but no evidence. */
+  @InTurn
+  @Test
+  void theReportOfACaseWithNothingAheadIsNoPass() throws IOException {
+    copy.write(
+        "scenarios/beside.yaml",
+        """
+        name: beside
+        title: A vehicle in the next lane
+        seed: 3
+        duration_s: 2
+        ego: {speed_kmh: 50}
+        actors:
+          - {gap_m: 30, speed_kmh: 50, lateral_offset_m: 3.5}
+        accept:
+          no_impact: true
+          judges:
+            no_impact: {RAD-3: "brake with 9 m/s²"}
+        """);
+    copy.write(
+        "approach.yaml",
+        "scenario: beside\nfactors: {speed: {path: ego.speed_kmh, values: [50]}}\n");
+    campaign().expect(0).says("1 case: 1 passed");
+    campaign("--case", 1).expect(0).says("passed (no impact: nothing was ahead)");
+    String report = Files.readString(results("approach/case-1/report.html"));
+    assertTrue(report.contains("\"verdict\":\"incomplete\""), report);
+    assertTrue(report.contains("passed in the campaign"), report);
+  }
+
   @InTurn
   @Test
   void severalCampaignsOfAFileHaveATableEachAndOneConclusion() throws IOException {

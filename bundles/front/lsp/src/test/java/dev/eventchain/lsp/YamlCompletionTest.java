@@ -4,24 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.editing.Analysis;
 import dev.eventchain.editing.Completion;
 import dev.eventchain.editing.ElementKind;
 import dev.eventchain.editing.FileRange;
 import dev.eventchain.editing.TextLines;
 import dev.eventchain.editing.TextPosition;
-import dev.eventchain.editing.Workspace;
 import dev.eventchain.fixtures.Projects;
 import dev.eventchain.fixtures.Repository;
-import dev.eventchain.lsp.project.ProjectLanguageService;
-import dev.eventchain.lsp.text.OpenTexts;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
-import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,38 +27,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 class YamlCompletionTest {
 
   private static final String SCENARIO = "scenarios/new.yaml";
-  private static final ProjectLanguageService SERVICE =
-      new ProjectLanguageService(new OnlyText(), new OpenTexts());
 
   @TempDir private static Path folder;
 
   private static Path project;
-  private static Path opened;
-  private static String text;
 
   @BeforeAll
   static void open() throws Exception {
     Path example = Repository.ROOT.resolve("examples/radar-aeb");
     project = Projects.copy(example, folder.resolve("radar-aeb"));
-  }
-
-  /** The files on disk, but one text in place of its file. */
-  private static final class OnlyText implements Workspace {
-    @Override
-    public List<Path> files() {
-      return List.of();
-    }
-
-    @Override
-    public Optional<SourceText> text(Path file) {
-      return Optional.of(
-          file.equals(opened) ? SourceText.of(file.toString(), text) : SourceText.read(file));
-    }
-
-    @Override
-    public List<EPackage> metamodels(Path file) {
-      return List.of();
-    }
   }
 
   private static final String AHEAD =
@@ -92,9 +63,7 @@ class YamlCompletionTest {
   }
 
   private static Analysis analysis(String file, String marked) {
-    text = marked.replace("^", "");
-    opened = project.resolve(file);
-    return SERVICE.analysis(opened).orElseThrow();
+    return UnsavedText.analysis(project.resolve(file).toString(), marked);
   }
 
   private static TextPosition cursor(String marked) {
@@ -112,6 +81,7 @@ class YamlCompletionTest {
             .filter(each -> each.label().equals(label))
             .findFirst()
             .orElseThrow();
+    String text = marked.replace("^", "");
     TextLines lines = new TextLines(text);
     int start = lines.offset(taken.replaced().start());
     int begin = text.lastIndexOf('\n', start - 1) + 1;

@@ -2,21 +2,16 @@ package dev.eventchain.simulation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import com.fasterxml.jackson.databind.node.MissingNode;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.simulation.bench.Bench;
-import dev.eventchain.simulation.host.RunLog;
 import dev.eventchain.simulation.judge.ScenarioJudge;
-import dev.eventchain.simulation.run.OutputRecord;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.CaseResult.Label;
-import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.VehicleCommand;
 import dev.eventchain.simulation.world.World;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -62,23 +57,12 @@ class CaseSimulationTest {
   }
 
   private static ScenarioRun braking(Scenario scenario) {
-    World world =
-        new World(scenario.situation(), new Trace(scenario.inputs(), scenario.situation().road()));
+    World world = WorldRuns.start(scenario);
     for (double time = 0; time < scenario.duration(); time += 0.5) {
       world.advanceTo(World.nanoseconds(time));
       world.command(world.now(), VehicleCommand.brake(0.1));
     }
     world.advanceTo(World.nanoseconds(scenario.duration()));
-    return new ScenarioRun(
-        scenario,
-        world.trace(),
-        new RunLog(Map.of(), Map.of()),
-        MissingNode.getInstance(),
-        Map.of(),
-        List.of(),
-        new OutputRecord(Map.of()),
-        List.of(),
-        0,
-        0);
+    return WorldRuns.of(scenario, world);
   }
 }

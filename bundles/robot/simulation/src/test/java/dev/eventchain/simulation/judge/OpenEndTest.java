@@ -3,24 +3,20 @@ package dev.eventchain.simulation.judge;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.fasterxml.jackson.databind.node.MissingNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.simulation.AebProject;
+import dev.eventchain.simulation.WorldRuns;
 import dev.eventchain.simulation.bench.Bench;
-import dev.eventchain.simulation.host.RunLog;
-import dev.eventchain.simulation.run.OutputRecord;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
-import dev.eventchain.simulation.world.Trace;
 import dev.eventchain.simulation.world.VehicleCommand;
 import dev.eventchain.simulation.world.World;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -153,20 +149,9 @@ class OpenEndTest {
   }
 
   private static ScenarioRun run(Scenario scenario, double brake) {
-    World world =
-        new World(scenario.situation(), new Trace(scenario.inputs(), scenario.situation().road()));
+    World world = WorldRuns.start(scenario);
     world.command(0, VehicleCommand.brake(brake));
     world.advanceTo(World.nanoseconds(scenario.duration()));
-    return new ScenarioRun(
-        scenario,
-        world.trace(),
-        new RunLog(Map.of(), Map.of()),
-        MissingNode.getInstance(),
-        Map.of(),
-        List.of(),
-        new OutputRecord(Map.of()),
-        List.of(),
-        0,
-        0);
+    return WorldRuns.of(scenario, world);
   }
 }

@@ -4,12 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.fasterxml.jackson.databind.node.MissingNode;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.simulation.AebProject;
+import dev.eventchain.simulation.WorldRuns;
 import dev.eventchain.simulation.bench.Bench;
-import dev.eventchain.simulation.host.RunLog;
-import dev.eventchain.simulation.run.OutputRecord;
 import dev.eventchain.simulation.run.ScenarioRun;
 import dev.eventchain.simulation.scenario.Expectation;
 import dev.eventchain.simulation.scenario.Scenario;
@@ -21,7 +19,6 @@ import java.lang.ref.WeakReference;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -313,23 +310,12 @@ class ScenarioJudgeTest {
   }
 
   private static ScenarioRun run(Scenario scenario, double brake) {
-    World world =
-        new World(scenario.situation(), new Trace(scenario.inputs(), scenario.situation().road()));
+    World world = WorldRuns.start(scenario);
     world.command(0, VehicleCommand.brake(brake));
     world.advanceTo(World.nanoseconds(scenario.duration()));
     if (world.impacted() && !scenario.allowsImpact()) {
       world.trace().cutShort();
     }
-    return new ScenarioRun(
-        scenario,
-        world.trace(),
-        new RunLog(Map.of(), Map.of()),
-        MissingNode.getInstance(),
-        Map.of(),
-        List.of(),
-        new OutputRecord(Map.of()),
-        List.of(),
-        0,
-        0);
+    return WorldRuns.of(scenario, world);
   }
 }

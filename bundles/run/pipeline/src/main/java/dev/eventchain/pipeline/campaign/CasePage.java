@@ -57,7 +57,7 @@ final class CasePage {
         Stage.SIMULATE,
         outcome(Stage.SIMULATE, Status.DONE, details, parted.remaining(), Optional.of(simulated)));
     ReportData data = new ReportData(run, outcomes, EarlierRun.read(Optional.empty()));
-    Verdict verdict = verdict(label);
+    Verdict verdict = verdict(label, parted.remaining());
     return ReportPage.render(
         measured,
         data.heading(verdict, summary),
@@ -74,11 +74,12 @@ final class CasePage {
     return new StageOutcome(stage, status, Duration.ZERO, details, parted, Coverage.NONE, report);
   }
 
-  private static Verdict verdict(Label label) {
+  /** Returns the verdict, which is no pass where something was not tested, unlike a case's. */
+  private static Verdict verdict(Label label, List<Diagnostic> found) {
     return switch (label) {
-      case PASSED -> Verdict.PASSED;
-      case FAILED -> Verdict.FAILED;
-      default -> Verdict.INCOMPLETE;
+      case PASSED -> Diagnostic.anyError(found) ? Verdict.INCOMPLETE : Verdict.PASSED;
+      case UNTESTED -> Verdict.INCOMPLETE;
+      case FAILED, ERROR -> Verdict.FAILED;
     };
   }
 }

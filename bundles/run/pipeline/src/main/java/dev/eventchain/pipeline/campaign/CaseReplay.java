@@ -64,7 +64,8 @@ final class CaseReplay {
     store.write(folder + "/scenario.yaml", text);
     CaseSimulation.Case own = template.of(id);
     SimulationResult result = simulate(own, folder);
-    String summary = "case " + number + " of " + plan.name() + ": " + id.words(plan);
+    String label = CampaignRow.words(row.result().label()) + " in the campaign";
+    String summary = "case %s of %s: %s · %s".formatted(number, plan.name(), id.words(plan), label);
     store.write(
         folder + "/" + ReportPage.FILE,
         new CasePage(run, result).render(own.scenario(), row.result().label(), summary));

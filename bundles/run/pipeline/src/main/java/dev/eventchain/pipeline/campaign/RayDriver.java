@@ -94,8 +94,9 @@ final class RayDriver implements AutoCloseable {
       }
     } catch (IOException e) {
       // It has ended.
+    } finally {
+      output.add(Optional.empty());
     }
-    output.add(Optional.empty());
   }
 
   /** Sends a message. */
@@ -141,8 +142,8 @@ final class RayDriver implements AutoCloseable {
     }
     if (line == null) {
       process.destroyForcibly();
-      String silence = "The driver of Ray has said nothing for %d s.";
-      throw failed(silence.formatted(longestSilence.toSeconds()), KEPT);
+      String silence = longestSilence.toSeconds() + " s";
+      throw failed("The driver of Ray has said nothing for " + silence + ".", KEPT);
     }
     return line.orElseThrow(
         () -> failed("The driver of Ray ended early: " + lastWords(), "Did the node end? " + KEPT));

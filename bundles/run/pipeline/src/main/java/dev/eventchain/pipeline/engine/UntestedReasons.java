@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.pipeline.results.Criterion;
 import dev.eventchain.pipeline.results.Simulated;
 import dev.eventchain.pipeline.results.SimulatedScenario;
+import dev.eventchain.pipeline.simulate.SimulateRules;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -23,9 +24,6 @@ record UntestedReasons(
     List<Diagnostic> found,
     List<Diagnostic> suppressed,
     boolean partial) {
-
-  /** Finding of a constraint that implements requirements, which its message names. */
-  private static final String CONSTRAINT = "simulation.rule.untested";
 
   /** Returns the reason for a requirement that is not tested, without a full stop. */
   String of(String requirement) {
@@ -47,7 +45,7 @@ record UntestedReasons(
   }
 
   private static boolean isConstraint(Diagnostic finding, String requirement) {
-    return finding.id().equals(CONSTRAINT)
+    return finding.is(SimulateRules.SIMULATION_RULE_UNTESTED)
         && Pattern.compile("(?<![\\w.-])" + Pattern.quote(requirement) + "(?![\\w-]|\\.\\w)")
             .matcher(finding.message())
             .find();

@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.CommonTrait;
 import dev.eventchain.diagnostics.Rule;
 
 /** Rules of the findings about what a simulation of a project leaves open. */
-final class SimulateRules {
+public final class SimulateRules {
 
   static final Rule PROJECT_REQUIREMENT_STALE =
       Rule.error("project.requirement.stale", CommonTrait.UNTESTED);
@@ -18,7 +18,9 @@ final class SimulateRules {
       Rule.error("simulation.latency.lower-bound", CommonTrait.UNTESTED);
   static final Rule SIMULATION_LATENCY_UNMEASURED =
       Rule.error("simulation.latency.unmeasured", CommonTrait.UNTESTED);
-  static final Rule SIMULATION_RULE_UNTESTED =
+
+  /** That of a constraint which implements requirements; its message names them. */
+  public static final Rule SIMULATION_RULE_UNTESTED =
       Rule.error("simulation.rule.untested", CommonTrait.UNTESTED);
 
   static final Rule SIMULATION_SIGNAL_UNSHOWN = Rule.info("simulation.signal.unshown");

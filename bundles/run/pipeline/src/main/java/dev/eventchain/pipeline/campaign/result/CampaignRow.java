@@ -27,7 +27,7 @@ public record CampaignRow(CampaignCase id, CaseResult result) {
   }
 
   /** Returns a verdict for people. */
-  static String words(CaseResult.Label label) {
+  public static String words(CaseResult.Label label) {
     return switch (label) {
       case PASSED -> "passed";
       case FAILED -> "failed";
