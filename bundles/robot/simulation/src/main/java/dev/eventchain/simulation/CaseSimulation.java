@@ -27,7 +27,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
-import java.util.stream.Stream;
 
 /**
  * Simulates many cases of a scenario in lock-step, on all processors. A case is judged by its
@@ -143,12 +142,14 @@ public final class CaseSimulation {
     List<String> open = new ArrayList<>();
     List<String> untested = new ArrayList<>();
     boolean met = false;
+    boolean spared = false;
     for (CriterionResult each : judge.criteriaWithoutEvidence(run)) {
       Expectation criterion = criterion(run, each);
       if (judge.isUnasked(criterion, run)) {
         continue; // correct software need not come to it
       }
       Label own = isSpared(judge, criterion, run) ? Label.PASSED : label(each);
+      spared |= own == Label.PASSED && !each.tested();
       criteria.add(margin(each, own));
       met |= own == Label.PASSED && !criterion.isOfEveryScenario();
       if (own != Label.PASSED) {
@@ -156,36 +157,24 @@ public final class CaseSimulation {
         (own == Label.FAILED ? failed : others).add(each.text() + ": " + each.measured());
       }
     }
-    if (isUnjudgedImpact(run)) {
-      open.add(0, "an impact, of which no criterion says anything");
-    }
+    open.addAll(0, unjudgedImpact(run));
     open.addAll(judge.outOfRange(run));
-    Label label = !failed.isEmpty() ? Label.FAILED : Label.UNTESTED;
-    label = failed.isEmpty() && open.isEmpty() && met ? Label.PASSED : label;
-    List<String> reasons = Stream.of(failed, open, untested).flatMap(List::stream).toList();
-    String reason = label == Label.PASSED || reasons.isEmpty() ? "" : reasons.get(0);
-    boolean spared = label == Label.PASSED && isSpared(judge, run);
-    return result(run, label, reason, criteria, spared);
-  }
-
-  private static CaseResult result(
-      ScenarioRun run,
-      Label label,
-      String reason,
-      List<CriterionMargin> criteria,
-      boolean nothingAhead) {
+    Label passed = open.isEmpty() && met ? Label.PASSED : Label.UNTESTED;
+    Label label = failed.isEmpty() ? passed : Label.FAILED;
+    String reason = label == Label.PASSED ? "" : first(List.of(failed, open, untested));
     double end = run.trace().end().time() / 1e9;
-    return new CaseResult(label, reason, criteria, run.trace().impactSpeed(), end, nothingAhead);
+    spared &= label == Label.PASSED;
+    return new CaseResult(label, reason, criteria, run.trace().impactSpeed(), end, spared);
   }
 
-  private static boolean isSpared(ScenarioJudge judge, ScenarioRun run) {
-    return run.scenario().criteria().stream()
-        .filter(each -> !judge.isUnasked(each, run))
-        .anyMatch(each -> isSpared(judge, each, run));
+  private static String first(List<List<String>> reasons) {
+    return reasons.stream().flatMap(List::stream).findFirst().orElse("");
   }
 
-  private static boolean isUnjudgedImpact(ScenarioRun run) {
-    return run.trace().impactSpeed().isPresent() && !run.scenario().judgesImpact();
+  private static List<String> unjudgedImpact(ScenarioRun run) {
+    return run.trace().impactSpeed().isPresent() && !run.scenario().judgesImpact()
+        ? List.of("an impact, of which no criterion says anything")
+        : List.of();
   }
 
   private static Expectation criterion(ScenarioRun run, CriterionResult result) {
